@@ -15,17 +15,17 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                24    113     1        0      0
-//   rhs                  433    623     6       10      0
+//   update                25    104     1        0      0
+//   rhs                  392    559     6       10      0
 //   rhs_and_jacobian    1243   1476     5       10      0
-//   jacobian_u           271    382     6       10      0
-//   jacobian_p          2165   2679     6       10      0
-//   mass_matrix          135    207     0       10      0
-//   bias                 266    393     0       10      0
+//   jacobian_u           264    377     6       10      0
+//   jacobian_p          1879   2430     6       10      0
+//   mass_matrix          128    202     0       10      0
+//   bias                 235    354     0       10      0
 //   output                15     22     0       12      0
 //   output_jacobian_x     41     73     0       12      0
-//   kinetic_energy        80    164     0       10      0
-//   potential_energy      32     58     0       10      0
+//   kinetic_energy        62    126     0       10      0
+//   potential_energy      32     57     0       10      0
 //   supplied_power         5      6     0        0      0
 //   dissipated_power       5      8     0        0      0
 //
@@ -235,7 +235,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 24 + or -, 113 *, 1 /
+    /// Operations: 25 + or -, 104 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         const Scalar e1 = p_.a_2 * p_.m_2;
@@ -244,138 +244,128 @@ public:
         const Scalar e4 = p_.d_3 * e3;
         const Scalar e5 = (Scalar(1) / Scalar(100)) * (e2 + Scalar(25) * e4);
         c_.k0 = p_.J_1 + e5;
-        const Scalar e6 = p_.d_4 * p_.d_4;
-        const Scalar e7 = p_.m_4 * e6;
-        c_.k1 = (Scalar(1) / Scalar(25)) * e7;
-        const Scalar e8 = Scalar(2) * p_.J_5;
-        c_.k2 = e8;
-        const Scalar e9 = (Scalar(181) / Scalar(900)) * e2;
-        c_.k3 = e9;
-        c_.k4 = (Scalar(1) / Scalar(50)) * e7;
-        c_.k5 = (Scalar(1) / Scalar(36)) * p_.m_3;
+        const Scalar e6 = (Scalar(181) / Scalar(900)) * e2;
+        c_.k1 = e6;
+        const Scalar e7 = p_.d_3 * p_.d_3;
+        const Scalar e8 = p_.m_3 + p_.m_4;
+        const Scalar e9 = p_.d_4 * p_.d_4;
+        const Scalar e10 = (Scalar(1) / Scalar(100)) * (e8 * e9);
+        c_.k2 = p_.m_3 * e7 + e10;
+        const Scalar e11 = p_.m_3 * e9;
+        const Scalar e12 = p_.m_4 * e9;
+        const Scalar e13 = (Scalar(1) / Scalar(12)) * (e11 + (Scalar(6) / Scalar(25)) * e12);
+        c_.k3 = e13 + e8 * e7;
+        c_.k4 = (Scalar(1) / Scalar(36)) * p_.m_3;
+        const Scalar e14 = Scalar(2) * p_.J_5;
+        c_.k5 = e14;
         c_.k6 = (Scalar(1) / Scalar(25)) * p_.m_4;
-        const Scalar e10 = p_.d_3 * p_.m_3;
-        const Scalar e11 = p_.m_3 + p_.m_4;
-        const Scalar e12 = (Scalar(1) / Scalar(100)) * (e6 * e11);
-        c_.k7 = p_.d_3 * e10 + e12;
-        const Scalar e13 = p_.m_3 * e6;
-        const Scalar e14 = (Scalar(1) / Scalar(12)) * e13;
-        const Scalar e15 = p_.d_3 * e11;
-        c_.k8 = e14 + p_.d_3 * e15;
-        const Scalar e16 = p_.d_3 * e1;
-        c_.k9 = (Scalar(1) / Scalar(6)) * e16;
-        c_.k10 = e15;
-        c_.k11 = (Scalar(1) / Scalar(6)) * e10;
-        const Scalar e17 = (Scalar(19) / Scalar(90)) * e2;
-        const Scalar e18 = (Scalar(1) / Scalar(50)) * (e7 + Scalar(50) * (p_.J_5 + e14));
-        c_.k12 = e17 + e18;
-        c_.k13 = e11;
-        const Scalar e19 = p_.d_4 * p_.m_4;
-        c_.k14 = (Scalar(4) / Scalar(25)) * e19;
-        const Scalar e20 = p_.d_4 * p_.m_3;
-        c_.k15 = (Scalar(1) / Scalar(6)) * p_.d_3 * e20;
-        c_.k16 = p_.a_3 * e15;
-        c_.k17 = e18;
-        const Scalar e21 = p_.a_3 * e11;
-        c_.k18 = e21;
-        c_.k19 = (Scalar(1) / Scalar(36)) * e20;
-        const Scalar e22 = (Scalar(1) / Scalar(9)) * e13;
-        c_.k20 = p_.J_5 + e22 + (Scalar(33) / Scalar(50)) * e7 + p_.a_3 * e21;
+        const Scalar e15 = p_.d_3 * e1;
+        c_.k7 = (Scalar(1) / Scalar(6)) * e15;
+        c_.k8 = p_.d_3 * e8;
+        c_.k9 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_3;
+        const Scalar e16 = (Scalar(19) / Scalar(90)) * e2;
+        const Scalar e17 = p_.J_5 + e13;
+        c_.k10 = e16 + e17;
+        c_.k11 = e8;
+        const Scalar e18 = p_.d_4 * p_.m_4;
+        c_.k12 = (Scalar(4) / Scalar(25)) * e18;
+        const Scalar e19 = p_.d_4 * p_.m_3;
+        c_.k13 = (Scalar(1) / Scalar(6)) * p_.d_3 * e19;
+        const Scalar e20 = p_.a_3 * e8;
+        c_.k14 = p_.d_3 * e20;
+        c_.k15 = e17;
+        c_.k16 = e20;
+        c_.k17 = (Scalar(1) / Scalar(36)) * e19;
+        const Scalar e21 = (Scalar(1) / Scalar(9)) * e11;
+        c_.k18 = p_.J_5 + e21 + (Scalar(33) / Scalar(50)) * e12 + p_.a_3 * e20;
+        const Scalar e22 = p_.m_6 * p_.c_x;
+        c_.k19 = e22;
         const Scalar e23 = p_.m_6 * p_.c_z;
-        c_.k21 = e23;
-        const Scalar e24 = p_.m_6 * p_.c_x;
-        c_.k22 = e24;
-        const Scalar e25 = (Scalar(1) / Scalar(100)) * e7;
-        c_.k23 = e25;
-        c_.k24 = e8 + e25;
-        const Scalar e26 = p_.c_x * e24;
-        const Scalar e27 = p_.c_z * e23;
-        const Scalar e28 = p_.J_5 + e27;
-        c_.k25 = e26 + e28;
-        const Scalar e29 = Scalar(2) * (p_.J_5 + (Scalar(1) / Scalar(2)) * e27);
-        c_.k26 = e29;
-        const Scalar e30 = p_.J_5 + e26;
-        c_.k27 = e30;
-        const Scalar e31 = p_.c_x * e23;
-        c_.k28 = e31;
-        c_.k29 = (Scalar(9) / Scalar(50)) * e2;
-        c_.k30 = (Scalar(1) / Scalar(18)) * e1;
-        c_.k31 = e12;
-        c_.k32 = (Scalar(1) / Scalar(300)) * e13;
-        const Scalar e32 = p_.m_6 * p_.g;
-        c_.k33 = p_.d_3 * e32;
-        c_.k34 = p_.a_3 * e32;
-        c_.k35 = p_.g * e24;
-        c_.k36 = p_.g * e23;
-        const Scalar e33 = p_.m_4 * p_.g;
-        c_.k37 = p_.d_3 * e33;
-        c_.k38 = p_.d_4 * e32;
-        c_.k39 = p_.a_2 * e32;
-        c_.k40 = (Scalar(1) / Scalar(12)) * e3;
-        c_.k41 = (Scalar(1) / Scalar(5)) * p_.d_3 * p_.m_4;
-        c_.k42 = (Scalar(2) / Scalar(5)) * p_.k_p;
-        c_.k43 = (Scalar(11) / Scalar(150)) * e13;
-        const Scalar e34 = (Scalar(1) / Scalar(3)) * e1;
-        c_.k44 = p_.g * (p_.a_2 * p_.m_3 + e34);
-        const Scalar e35 = p_.a_3 * p_.m_3;
-        c_.k45 = p_.g * e35;
-        c_.k46 = (Scalar(1) / Scalar(6)) * p_.g * e20;
-        c_.k47 = p_.a_2 * e33;
-        c_.k48 = (Scalar(1) / Scalar(6)) * p_.m_3;
-        c_.k49 = (Scalar(1) / Scalar(5)) * p_.m_4;
-        c_.k50 = p_.a_3 * e33;
-        c_.k51 = (Scalar(4) / Scalar(5)) * p_.g * e19;
-        c_.k52 = (Scalar(3) / Scalar(10)) * p_.k_p;
-        c_.k53 = (Scalar(1) / Scalar(6)) * e35;
-        c_.k54 = (Scalar(1) / Scalar(5)) * p_.a_3 * p_.m_4;
-        const Scalar e36 = p_.k_p * p_.k_w;
-        c_.k55 = e36;
-        c_.k56 = p_.k_d * p_.k_w;
-        c_.k57 = (Scalar(7) / Scalar(10)) * e36;
-        c_.k58 = Scalar(6) * p_.d_3;
-        c_.k59 = Scalar(4) * p_.d_4;
-        c_.k60 = Scalar(5) * p_.d_3;
-        c_.k61 = Scalar(5) * p_.a_3;
-        c_.k62 = Scalar(5) * p_.a_2;
-        c_.k63 = Scalar(3) * p_.d_3;
-        c_.k64 = Scalar(2) * p_.a_2;
-        c_.k65 = Scalar(6) * p_.a_3;
-        c_.k66 = Scalar(6) * p_.a_2;
-        c_.k67 = e5;
-        c_.k68 = (Scalar(1) / Scalar(2)) * e3;
-        const Scalar e37 = (Scalar(1) / Scalar(4)) * e4;
-        c_.k69 = e17 + e37;
-        c_.k70 = e34;
-        c_.k71 = e17;
-        c_.k72 = e37;
-        c_.k73 = e9 - e37;
-        c_.k74 = (Scalar(1) / Scalar(3)) * e16;
-        c_.k75 = e22;
-        const Scalar e38 = p_.d_4 * e35;
-        c_.k76 = (Scalar(1) / Scalar(6)) * e38;
-        c_.k77 = (Scalar(1) / Scalar(6)) * e20;
-        const Scalar e39 = p_.a_3 * e35;
-        c_.k78 = (Scalar(1) / Scalar(100)) * e13 + e39;
-        c_.k79 = e35;
-        c_.k80 = e22 + e39;
-        const Scalar e40 = (Scalar(91) / Scalar(900)) * e13;
-        c_.k81 = e40;
-        c_.k82 = e39;
-        c_.k83 = e39 - e40;
-        c_.k84 = (Scalar(1) / Scalar(3)) * e38;
-        c_.k85 = (Scalar(1) / Scalar(3)) * e20;
-        c_.k86 = Scalar(2) * e35;
-        c_.k87 = (Scalar(3) / Scalar(50)) * e7;
-        c_.k88 = (Scalar(1) / Scalar(5)) * e19;
-        c_.k89 = (Scalar(1) / Scalar(20)) * e7;
-        c_.k90 = (Scalar(2) / Scalar(5)) * e19;
-        c_.k91 = e28;
-        c_.k92 = e26 + e29;
-        c_.k93 = e26 - e27;
-        c_.k94 = Scalar(2) * e31;
-        c_.k95 = Scalar(2) * e23;
-        c_.k96 = Scalar(2) * e24;
-        c_.k97 = Scalar(1) / e30;
+        c_.k20 = e23;
+        const Scalar e24 = (Scalar(1) / Scalar(100)) * e12;
+        c_.k21 = e24;
+        c_.k22 = e14 + e24;
+        const Scalar e25 = p_.c_x * e22;
+        const Scalar e26 = p_.c_z * e23;
+        const Scalar e27 = p_.J_5 + e26;
+        c_.k23 = e25 + e27;
+        const Scalar e28 = Scalar(2) * (p_.J_5 + (Scalar(1) / Scalar(2)) * e26);
+        c_.k24 = e28;
+        const Scalar e29 = p_.J_5 + e25;
+        c_.k25 = e29;
+        const Scalar e30 = p_.c_x * e23;
+        c_.k26 = e30;
+        c_.k27 = (Scalar(9) / Scalar(50)) * e2;
+        c_.k28 = (Scalar(1) / Scalar(18)) * e1;
+        c_.k29 = e10;
+        c_.k30 = (Scalar(1) / Scalar(300)) * e11;
+        c_.k31 = (Scalar(1) / Scalar(12)) * e3;
+        c_.k32 = p_.m_4 * p_.g;
+        const Scalar e31 = p_.d_3 * p_.m_4;
+        c_.k33 = p_.g * e31;
+        c_.k34 = (Scalar(1) / Scalar(5)) * e31;
+        c_.k35 = p_.m_6 * p_.g;
+        c_.k36 = (Scalar(2) / Scalar(5)) * p_.k_p;
+        c_.k37 = (Scalar(11) / Scalar(150)) * e11;
+        c_.k38 = (Scalar(1) / Scalar(3)) * p_.g * e1;
+        c_.k39 = p_.a_2 * p_.m_3 * p_.g;
+        c_.k40 = p_.g * e22;
+        c_.k41 = (Scalar(1) / Scalar(6)) * p_.m_3;
+        c_.k42 = (Scalar(1) / Scalar(5)) * p_.m_4;
+        const Scalar e32 = p_.a_3 * p_.m_3;
+        c_.k43 = p_.g * e32;
+        const Scalar e33 = (Scalar(1) / Scalar(6)) * (p_.g * e19);
+        const Scalar e34 = p_.g * e18;
+        c_.k44 = e33 + (Scalar(1) / Scalar(5)) * e34;
+        c_.k45 = p_.g * e23;
+        c_.k46 = (Scalar(3) / Scalar(10)) * p_.k_p;
+        c_.k47 = p_.g * e20;
+        c_.k48 = e33 - (Scalar(4) / Scalar(5)) * e34;
+        c_.k49 = (Scalar(1) / Scalar(6)) * e32;
+        c_.k50 = (Scalar(1) / Scalar(5)) * p_.a_3 * p_.m_4;
+        const Scalar e35 = p_.k_p * p_.k_w;
+        c_.k51 = e35;
+        c_.k52 = p_.k_d * p_.k_w;
+        c_.k53 = (Scalar(7) / Scalar(10)) * e35;
+        c_.k54 = Scalar(3) * p_.d_3;
+        c_.k55 = Scalar(2) * p_.a_2;
+        c_.k56 = Scalar(6) * p_.a_2;
+        c_.k57 = Scalar(6) * p_.a_3;
+        c_.k58 = e5;
+        c_.k59 = (Scalar(1) / Scalar(2)) * e3;
+        const Scalar e36 = (Scalar(1) / Scalar(4)) * e4;
+        c_.k60 = e16 + e36;
+        c_.k61 = (Scalar(1) / Scalar(3)) * e1;
+        c_.k62 = e16;
+        c_.k63 = e36;
+        c_.k64 = e6 - e36;
+        c_.k65 = (Scalar(1) / Scalar(3)) * e15;
+        c_.k66 = e21;
+        const Scalar e37 = p_.d_4 * e32;
+        c_.k67 = (Scalar(1) / Scalar(6)) * e37;
+        c_.k68 = (Scalar(1) / Scalar(6)) * e19;
+        const Scalar e38 = p_.a_3 * e32;
+        c_.k69 = (Scalar(1) / Scalar(100)) * e11 + e38;
+        c_.k70 = e32;
+        c_.k71 = e21 + e38;
+        const Scalar e39 = (Scalar(91) / Scalar(900)) * e11;
+        c_.k72 = e39;
+        c_.k73 = e38;
+        c_.k74 = e38 - e39;
+        c_.k75 = (Scalar(1) / Scalar(3)) * e37;
+        c_.k76 = (Scalar(1) / Scalar(3)) * e19;
+        c_.k77 = Scalar(2) * e32;
+        c_.k78 = (Scalar(3) / Scalar(50)) * e12;
+        c_.k79 = (Scalar(1) / Scalar(5)) * e18;
+        c_.k80 = (Scalar(1) / Scalar(20)) * e12;
+        c_.k81 = (Scalar(2) / Scalar(5)) * e18;
+        c_.k82 = e27;
+        c_.k83 = e25 + e28;
+        c_.k84 = e25 - e26;
+        c_.k85 = Scalar(2) * e30;
+        c_.k86 = Scalar(2) * e23;
+        c_.k87 = Scalar(2) * e22;
+        c_.k88 = Scalar(1) / e29;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -392,7 +382,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 433 + or -, 623 *, 6 /, 10 sin or cos
+    /// Operations: 392 + or -, 559 *, 6 /, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar q_2 = x[1];
@@ -401,306 +391,286 @@ public:
         const Scalar q_3 = x[2];
         Scalar sin_q_3, cos_q_3;
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
-        const Scalar e1 = cos_q_2 * sin_q_3;
-        const Scalar e2 = cos_q_3 * sin_q_2;
-        const Scalar e3 = e1 + e2;
-        const Scalar e4 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
-        const Scalar q_5 = x[4];
-        Scalar sin_q_5, cos_q_5;
-        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
+        const Scalar e1 = cos_q_2 * sin_q_3 + cos_q_3 * sin_q_2;
+        const Scalar e2 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
+        const Scalar q_2_dot = x[7];
+        const Scalar q_3_dot = x[8];
+        const Scalar e3 = q_2_dot + q_3_dot;
+        const Scalar e4 = p_.d_4 * e3;
+        const Scalar q_1_dot = x[6];
+        const Scalar e5 = q_1_dot * cos_q_2;
+        const Scalar e6 = p_.d_3 * e5;
+        const Scalar e7 = cos_q_3 * e6;
+        const Scalar e8 = q_1_dot * sin_q_2;
+        const Scalar e9 = p_.d_3 * e8;
+        const Scalar e10 = p_.a_2 * q_2_dot + e9;
+        const Scalar e11 = e7 - sin_q_3 * e10;
+        const Scalar e12 = e4 - Scalar(6) * e11;
+        const Scalar e13 = q_3_dot * e10 + q_2_dot * e9;
+        const Scalar e14 = e3 * e7 - sin_q_3 * e13;
+        const Scalar e15 = q_1_dot * e1;
+        const Scalar e16 = p_.d_4 * e1;
+        const Scalar e17 = c_.k56 * cos_q_2 + c_.k57 * e2 + e16;
+        const Scalar e18 = q_1_dot * e17;
+        const Scalar e19 = e3 * e12 + Scalar(6) * e14 + e15 * e18;
         const Scalar q_4 = x[3];
         Scalar sin_q_4, cos_q_4;
         detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
-        const Scalar e5 = cos_q_4 * sin_q_5;
-        const Scalar e6 = e3 * e5;
-        const Scalar e7 = cos_q_5 * e4;
-        const Scalar e8 = e6 - e7;
-        const Scalar e9 = sin_q_5 * e4;
-        const Scalar e10 = cos_q_4 * cos_q_5;
-        const Scalar e11 = e9 + e3 * e10;
-        const Scalar e12 = cos_q_5 * e8 - sin_q_5 * e11;
-        const Scalar e13 = sin_q_4 * e3;
-        const Scalar e14 = cos_q_5 * e11 + sin_q_5 * e8;
-        const Scalar e15 = cos_q_4 * e13 - sin_q_4 * e14;
-        const Scalar e16 = cos_q_4 * e14 + sin_q_4 * e13;
+        const Scalar e20 = cos_q_4 * e1;
+        const Scalar e21 = sin_q_4 * e3 + q_1_dot * e20;
+        const Scalar e22 = p_.a_2 * cos_q_2 + p_.a_3 * e2 - e16;
+        const Scalar e23 = q_1_dot * e22;
+        const Scalar e24 = e11 + e4;
+        const Scalar e25 = cos_q_4 * e23 - sin_q_4 * e24;
+        const Scalar e26 = p_.d_4 * e21 + Scalar(5) * e25;
+        const Scalar e27 = sin_q_4 * e1;
+        const Scalar e28 = cos_q_4 * e3 - q_1_dot * e27;
+        const Scalar e29 = cos_q_4 * e24 + sin_q_4 * e23;
+        const Scalar e30 = p_.d_4 * e28 - Scalar(5) * e29;
+        const Scalar e31 = Scalar(5) * e14 + e21 * e26 + e28 * e30;
+        const Scalar e32 = p_.d_3 * e2;
+        const Scalar e33 = sin_q_4 * e22 + cos_q_4 * e32;
+        const Scalar e34 = sin_q_4 * e32 - cos_q_4 * e22;
+        const Scalar q_1 = x[0];
+        const Scalar e35 = c_.k54 * e8;
+        const Scalar e36 = c_.k55 * q_2_dot + e35;
+        const Scalar e37 = q_2_dot * sin_q_2;
+        const Scalar tau_1 = u[0];
         const Scalar q_6 = x[5];
         Scalar sin_q_6, cos_q_6;
         detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
-        const Scalar e17 = c_.k35 * sin_q_6;
-        const Scalar e18 = sin_q_4 * sin_q_5;
-        const Scalar e19 = e3 * e18;
-        const Scalar e20 = e14 * e17 - c_.k36 * e19;
-        const Scalar e21 = cos_q_4 * e3;
-        const Scalar e22 = sin_q_5 * sin_q_6;
+        const Scalar q_5 = x[4];
+        Scalar sin_q_5, cos_q_5;
+        detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
+        const Scalar e38 = q_1_dot * e2;
         const Scalar q_4_dot = x[9];
-        const Scalar q_2_dot = x[7];
-        const Scalar q_3_dot = x[8];
-        const Scalar e23 = q_2_dot + q_3_dot;
-        const Scalar q_1_dot = x[6];
-        const Scalar e24 = e23 * e4;
-        const Scalar e25 = q_4_dot * e23 + q_1_dot * e24;
-        const Scalar e26 = q_1_dot * q_4_dot;
-        const Scalar e27 = cos_q_4 * e25 - e13 * e26;
-        const Scalar e28 = cos_q_4 * e23 - q_1_dot * e13;
-        const Scalar e29 = q_1_dot * e4;
-        const Scalar e30 = e29 - q_4_dot;
-        const Scalar e31 = c_.k23 * (Scalar(2) * e27 + e28 * e30) + c_.k36 * cos_q_5 * e13;
-        const Scalar e32 = c_.k35 * cos_q_6;
-        const Scalar q_1 = x[0];
-        const Scalar e33 = q_1_dot * sin_q_2;
-        const Scalar e34 = c_.k64 * q_2_dot + c_.k63 * e33;
-        const Scalar e35 = q_1_dot * cos_q_2;
-        const Scalar e36 = q_2_dot * sin_q_2;
-        const Scalar e37 = q_1_dot * e36;
-        const Scalar e38 = p_.d_3 * e35;
-        const Scalar e39 = cos_q_3 * e38;
-        const Scalar e40 = p_.a_2 * q_2_dot + p_.d_3 * e33;
-        const Scalar e41 = q_3_dot * e40;
-        const Scalar e42 = p_.d_3 * e37 + e41;
-        const Scalar e43 = e23 * e39 - sin_q_3 * e42;
-        const Scalar e44 = p_.d_4 * e23;
-        const Scalar e45 = sin_q_3 * e40;
-        const Scalar e46 = c_.k58 * cos_q_3 * e35 - e44 - Scalar(6) * e45;
-        const Scalar e47 = q_1_dot * e3;
-        const Scalar e48 = p_.d_4 * e3;
-        const Scalar e49 = c_.k66 * cos_q_2 + c_.k65 * e4 + e48;
-        const Scalar e50 = q_1_dot * e49;
-        const Scalar e51 = Scalar(6) * e43 - e23 * e46 + e47 * e50;
-        const Scalar e52 = sin_q_4 * e23 + cos_q_4 * e47;
-        const Scalar e53 = e39 - e45 + e44;
-        const Scalar e54 = e44 - Scalar(5) * e53;
-        const Scalar e55 = p_.a_3 * e4;
-        const Scalar e56 = p_.a_2 * cos_q_2;
-        const Scalar e57 = e55 - e48 + e56;
-        const Scalar e58 = Scalar(5) * e57 + e48;
-        const Scalar e59 = q_1_dot * cos_q_4;
-        const Scalar e60 = sin_q_4 * e54 + e58 * e59;
-        const Scalar e61 = sin_q_4 * e57;
-        const Scalar e62 = p_.d_4 * e13 + Scalar(5) * e61;
-        const Scalar e63 = cos_q_4 * e54 - q_1_dot * e62;
-        const Scalar e64 = Scalar(5) * e43 + e52 * e60 + e28 * e63;
-        const Scalar e65 = e7 - e6;
-        const Scalar e66 = p_.J_5 * e65;
+        const Scalar e39 = e38 - q_4_dot;
+        const Scalar e40 = cos_q_5 * e21 + sin_q_5 * e39;
         const Scalar q_5_dot = x[10];
-        const Scalar e67 = e23 * e3;
-        const Scalar e68 = q_1_dot * e67;
-        const Scalar e69 = q_5_dot * e52 + e68;
-        const Scalar e70 = q_5_dot * sin_q_5;
-        const Scalar e71 = cos_q_5 * e69 + e30 * e70;
-        const Scalar e72 = e3 * e26;
-        const Scalar e73 = e25 * e5 + e71 - e18 * e72;
-        const Scalar e74 = cos_q_5 * e52 + sin_q_5 * e30;
-        const Scalar e75 = q_5_dot + e28;
-        const Scalar e76 = cos_q_6 * e74 + sin_q_6 * e75;
-        const Scalar e77 = cos_q_6 * e75 - sin_q_6 * e74;
-        const Scalar e78 = e73 + e76 * e77;
-        const Scalar tau_1 = u[0];
-        const Scalar e79 = p_.a_3 * e23 + (cos_q_3 * e40 + sin_q_3 * e38);
-        const Scalar e80 = cos_q_4 * e53 + q_1_dot * e61;
-        const Scalar e81 = cos_q_5 * e79 + sin_q_5 * e80 + p_.c_x * e77;
+        const Scalar e41 = q_5_dot + e28;
+        const Scalar e42 = cos_q_6 * e40 + sin_q_6 * e41;
+        const Scalar e43 = cos_q_6 * e41 - sin_q_6 * e40;
+        const Scalar e44 = sin_q_3 * e6;
+        const Scalar e45 = p_.a_3 * e3 + (cos_q_3 * e10 + e44);
+        const Scalar e46 = cos_q_5 * e45 + sin_q_5 * e29;
+        const Scalar e47 = p_.c_x * e43 + e46;
         const Scalar q_6_dot = x[11];
-        const Scalar e82 = q_6_dot - (cos_q_5 * e30 - sin_q_5 * e52);
-        const Scalar e83 = e57 * e59 - sin_q_4 * e53;
-        const Scalar e84 = cos_q_5 * e80 - sin_q_5 * e79;
-        const Scalar e85 = p_.c_z * e77 + cos_q_6 * e84;
-        const Scalar e86 = sin_q_6 * e83 + e85;
-        const Scalar e87 = cos_q_6 * sin_q_4 + sin_q_6 * e10;
-        const Scalar e88 = sin_q_3 * e23;
-        const Scalar e89 = cos_q_3 * e42 + e38 * e88;
-        const Scalar e90 = e57 * e26 - e89;
-        const Scalar e91 = q_5_dot * e80 + e43;
-        const Scalar e92 = cos_q_5 * sin_q_4;
-        const Scalar e93 = cos_q_4 * cos_q_6 - sin_q_6 * e92;
-        const Scalar e94 = p_.d_4 * e24;
-        const Scalar e95 = q_1_dot * (p_.a_2 * e36 + e94) + (q_4_dot * e53 + p_.a_3 * e68);
-        const Scalar e96 = q_5_dot * cos_q_5;
-        const Scalar e97 = e79 * e96 - q_6_dot * e83;
-        const Scalar e98 = cos_q_6 * e10 - sin_q_4 * sin_q_6;
-        const Scalar e99 = p_.c_x * e5 + p_.c_z * e98;
-        const Scalar e100 = cos_q_4 * sin_q_6 + cos_q_6 * e92;
-        const Scalar e101 = p_.c_x * e18 + p_.c_z * e100;
-        const Scalar e102 = e30 * e96 - sin_q_5 * e69;
-        const Scalar e103 = cos_q_6 * e102;
-        const Scalar e104 = e87 * e90 - e22 * e91 + e93 * e95 - sin_q_6 * e97 + p_.c_x * e71 + e25 * e99 + q_6_dot * e85 - e101
-            * e72 + p_.c_z * e103;
-        const Scalar e105 = e76 * e81 - e82 * e86 + e104;
-        const Scalar e106 = cos_q_6 * sin_q_5;
-        const Scalar e107 = p_.c_x * cos_q_5 - p_.c_z * e106;
-        const Scalar e108 = e48 - (e55 + e56);
-        const Scalar e109 = p_.d_3 * e4;
-        const Scalar e110 = p_.d_3 * e3;
-        const Scalar e111 = e4 * e107 - e93 * e108 - e3 * e99 - e87 * e109 + e22 * e110;
-        const Scalar e112 = p_.m_6 * e111;
-        const Scalar e113 = e87 * e25 + e93 * e72 + (q_6_dot * e76 + sin_q_6 * e102);
-        const Scalar e114 = sin_q_6 * e84;
-        const Scalar e115 = p_.c_z * e76 - cos_q_6 * e83 + p_.c_x * e82 + e114;
-        const Scalar e116 = e106 * e91 - e98 * e90 + e100 * e95 + cos_q_6 * e97 + p_.c_z * e113 + q_6_dot * e114;
-        const Scalar e117 = e116 - e77 * e81 - e82 * e115;
-        const Scalar e118 = e3 * e87;
-        const Scalar e119 = e4 * e22 + e118;
-        const Scalar e120 = e98 * e109 - p_.c_z * e119 - e100 * e108 - e106 * e110;
-        const Scalar e121 = p_.m_6 * e120;
-        const Scalar e122 = e76 * e115 + e77 * e86 + (e18 * e95 - cos_q_5 * e91 - e5 * e90 + p_.c_x * e113 + e79 * e70);
-        const Scalar e123 = e5 * e109 - p_.c_x * e119 - e18 * e108 + cos_q_5 * e110;
-        const Scalar e124 = p_.m_6 * e123;
-        const Scalar e125 = e98 * e25 + q_6_dot * e77 - e100 * e72 + e103 - e77 * e82;
-        const Scalar e126 = e3 * e98 + e4 * e106;
-        const Scalar e127 = p_.J_5 * e126;
-        const Scalar e128 = e102 + cos_q_5 * e27;
-        const Scalar e129 = e9 + cos_q_5 * e21;
-        const Scalar e130 = p_.J_5 * e129;
-        const Scalar e131 = c_.k2 * e119;
-        const Scalar e132 = c_.k60 * (cos_q_3 * e37 + e35 * e88) + Scalar(5) * cos_q_3 * e41;
-        const Scalar e133 = q_1_dot * (c_.k62 * e36 + c_.k59 * e24) + (c_.k61 * e68 - q_4_dot * e54);
-        const Scalar e134 = Scalar(5) * e52 * e79 - e30 * e63 + (e26 * e62 - sin_q_4 * e132 + cos_q_4 * e133);
-        const Scalar e135 = c_.k61 * e4 + c_.k62 * cos_q_2;
-        const Scalar e136 = c_.k60 * e4;
-        const Scalar e137 = cos_q_4 * e135 - c_.k59 * e21 - sin_q_4 * e136;
-        const Scalar e138 = c_.k6 * e137;
-        const Scalar e139 = sin_q_4 * e133 - cos_q_4 * (e26 * e58 - e132) - Scalar(5) * e28 * e79 - e30 * e60;
-        const Scalar e140 = sin_q_4 * e135 + cos_q_4 * e136 - c_.k59 * e13;
-        const Scalar e141 = c_.k6 * e140;
-        const Scalar e142 = Scalar(6) * e23 * e79 - Scalar(6) * e89 + e29 * e50;
-        const Scalar e143 = c_.k11 * e4;
-        const Scalar e144 = sin_q_4 * e25 + cos_q_4 * e72;
-        const Scalar e145 = c_.k36 * e11 - p_.J_5 * e144;
-        const Scalar e146 = c_.k23 * (Scalar(2) * e144 + e52 * e30) - e145;
-        const Scalar e147 = c_.k35 * e8;
-        const Scalar e148 = c_.k9 * sin_q_2;
-        const Scalar e149 = e35 * e33;
-        const Scalar e150 = e13 * e32;
-        const Scalar e151 = c_.k40 * (q_2_dot * e34 + c_.k64 * e35 * e35 - c_.k63 * e37) - c_.k39 * e15;
-        const Scalar e152 = c_.k30 * (sin_q_2 * e34 + c_.k63 * cos_q_2 * e35 + c_.k64 * e36) + c_.k29 * e36;
-        const Scalar e153 = c_.k5 * (c_.k66 * e36 + c_.k65 * e67 - e94 + e4 * e46 + Scalar(6) * e3 * e79) * e50;
-        const Scalar e154 = e3 * (c_.k37 * e4 - c_.k33 * e12 - c_.k38 * e15) - e4
-            * (c_.k37 * e3 + c_.k33 * e16 - c_.k34 * e15 - e20) - e21 * (c_.k35 * e11 * e22 + e31 + e32 * e19) + p_.k_p
-            * (Scalar(1) - q_1) - cos_q_2 * e151 - e3 * (c_.k11 * e51 + c_.k41 * e64) + e35 * e152 + e66 * (e73 + e78) + tau_1
-            - p_.k_d * q_1_dot + e105 * e112 + e117 * e121 + e122 * e124 - e125 * e127 + c_.k31 * e67 * e29 - c_.k32
-            * (Scalar(22) * e23 * e4 + Scalar(25) * e24) * e47 - e128 * e130 - e113 * e131 + e153 + e134 * e138 + e139 * e141
-            - e142 * e143 - e146 * e13 + e147 * e118 - e148 * e149 + e7 * e150;
-        const Scalar e155 = e1 * e1 + e2 * e2;
-        const Scalar e156 = p_.J_5 * sin_q_4;
-        const Scalar e157 = e1 * e2;
-        const Scalar e158 = c_.k2 * e65;
-        const Scalar e159 = sin_q_4 * (e155 * e156 + c_.k2 * sin_q_4 * e157) + c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k5 * e49
-            * e49 + c_.k7 * e4 * e4 + c_.k8 * e3 * e3 + c_.k4 * e155 + e111 * e112 + e120 * e121 + e123 * e124 + e126 * e127
-            + e65 * e158 + e129 * e130 + e119 * e131 + e137 * e138 + e140 * e141 + c_.k1 * e157;
-        const Scalar inverse_160 = Scalar(1) / e159;
-        const Scalar e161 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e162 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e163 = e22 * e161 - e101 + e87 * e162;
-        const Scalar e164 = p_.c_z * e93;
-        const Scalar e165 = e106 * e161 + e98 * e162 - e164;
-        const Scalar e166 = p_.c_x * e93;
-        const Scalar e167 = cos_q_5 * e161 - e5 * e162 + e166;
-        const Scalar e168 = cos_q_4 * e140 - sin_q_4 * e137;
-        const Scalar e169 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e170 = c_.k6 * e169;
-        const Scalar e171 = p_.J_5 * e100;
-        const Scalar e172 = c_.k2 * e93;
-        const Scalar e173 = (e21 - cos_q_5 * e129) * e156 + e18 * e158 - (e126 * e171 - e119 * e172);
-        const Scalar e174 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e175 = c_.k10 * e161 * e3 + e163 * e112 - e165 * e121 + e167 * e124 - e168 * e170 - e173 + e148 - e174
-            * e143;
-        const Scalar e176 = e175 * inverse_160;
+        const Scalar e48 = q_6_dot - (cos_q_5 * e39 - sin_q_5 * e21);
+        const Scalar e49 = cos_q_5 * e29 - sin_q_5 * e45;
+        const Scalar e50 = cos_q_6 * e49 + sin_q_6 * e25;
+        const Scalar e51 = p_.c_z * e43 + e50;
+        const Scalar e52 = e3 * e1;
+        const Scalar e53 = q_1_dot * e52;
+        const Scalar e54 = q_5_dot * e21 + e53;
+        const Scalar e55 = e3 * e2;
+        const Scalar e56 = q_1_dot * e55 + q_4_dot * e3;
+        const Scalar e57 = q_1_dot * q_4_dot;
+        const Scalar e58 = cos_q_4 * e56 - e27 * e57;
+        const Scalar e59 = q_5_dot * e39 + e58;
+        const Scalar e60 = cos_q_5 * e54 + sin_q_5 * e59;
+        const Scalar e61 = cos_q_5 * e59 - sin_q_5 * e54;
+        const Scalar e62 = sin_q_4 * e56 + e20 * e57;
+        const Scalar e63 = cos_q_6 * e61 - sin_q_6 * e62 + q_6_dot * e43;
+        const Scalar e64 = p_.d_4 * e55;
+        const Scalar e65 = q_1_dot * (p_.a_3 * e52 + p_.a_2 * e37 + e64) + q_4_dot * e24;
+        const Scalar e66 = cos_q_3 * e13 + e3 * e44;
+        const Scalar e67 = e22 * e57 - e66;
+        const Scalar e68 = cos_q_4 * e65 + sin_q_4 * e67;
+        const Scalar e69 = cos_q_4 * e67 - sin_q_4 * e65;
+        const Scalar e70 = sin_q_5 * e14 - cos_q_5 * e69 + q_5_dot * e46;
+        const Scalar e71 = p_.c_x * e60 + p_.c_z * e63 + (cos_q_6 * e68 - sin_q_6 * e70 + q_6_dot * e50);
+        const Scalar e72 = e42 * e47 - e48 * e51 + e71;
+        const Scalar e73 = sin_q_5 * e20 - cos_q_5 * e2;
+        const Scalar e74 = sin_q_5 * e2 + cos_q_5 * e20;
+        const Scalar e75 = cos_q_6 * e74 - sin_q_6 * e27;
+        const Scalar e76 = p_.d_3 * e1;
+        const Scalar e77 = sin_q_5 * e76 - cos_q_5 * e33;
+        const Scalar e78 = cos_q_6 * e34 - sin_q_6 * e77;
+        const Scalar e79 = p_.c_x * e73 + p_.c_z * e75 + e78;
+        const Scalar e80 = p_.m_6 * e79;
+        const Scalar e81 = e63 - e43 * e48;
+        const Scalar e82 = p_.J_5 * e75;
+        const Scalar e83 = cos_q_6 * e25 - sin_q_6 * e49;
+        const Scalar e84 = p_.c_z * e42 + p_.c_x * e48 - e83;
+        const Scalar e85 = cos_q_6 * e62 + sin_q_6 * e61 + q_6_dot * e42;
+        const Scalar e86 = e42 * e84 + e43 * e51 + (p_.c_x * e85 - (cos_q_5 * e14 + sin_q_5 * e69 + q_5_dot * e49));
+        const Scalar e87 = sin_q_6 * e74 + cos_q_6 * e27;
+        const Scalar e88 = sin_q_5 * e33 + cos_q_5 * e76;
+        const Scalar e89 = p_.c_x * e87 - e88;
+        const Scalar e90 = p_.m_6 * e89;
+        const Scalar e91 = e43 * e47 + e48 * e84 - (p_.c_z * e85 - (q_6_dot * e83 - cos_q_6 * e70 - sin_q_6 * e68));
+        const Scalar e92 = cos_q_6 * e77 + sin_q_6 * e34;
+        const Scalar e93 = p_.c_z * e87 + e92;
+        const Scalar e94 = p_.m_6 * e93;
+        const Scalar e95 = p_.J_5 * e74;
+        const Scalar e96 = c_.k5 * e87;
+        const Scalar e97 = c_.k35 * e73;
+        const Scalar e98 = c_.k35 * e87;
+        const Scalar e99 = c_.k35 * e75;
+        const Scalar e100 = p_.J_5 * sin_q_4;
+        const Scalar e101 = e1 * e100;
+        const Scalar e102 = Scalar(5) * e21 * e45 - e39 * e30 - (p_.d_4 * e58 - Scalar(5) * e68);
+        const Scalar e103 = p_.d_4 * e20 - Scalar(5) * e34;
+        const Scalar e104 = c_.k6 * e103;
+        const Scalar e105 = Scalar(5) * e28 * e45 + e39 * e26 + (p_.d_4 * e62 + Scalar(5) * e69);
+        const Scalar e106 = Scalar(5) * e33 + p_.d_4 * e27;
+        const Scalar e107 = c_.k6 * e106;
+        const Scalar e108 = Scalar(6) * e3 * e45 - Scalar(6) * e66 + e38 * e18;
+        const Scalar e109 = c_.k9 * e2;
+        const Scalar e110 = e60 + e42 * e43;
+        const Scalar e111 = e60 + e110;
+        const Scalar e112 = p_.J_5 * e73;
+        const Scalar e113 = c_.k21 * (Scalar(2) * e62 + e21 * e39);
+        const Scalar e114 = c_.k21 * (Scalar(2) * e58 + e28 * e39);
+        const Scalar e115 = c_.k7 * sin_q_2;
+        const Scalar e116 = e5 * e8;
+        const Scalar e117 = c_.k28 * (sin_q_2 * e36 + c_.k54 * cos_q_2 * e5 + c_.k55 * e37) + c_.k27 * e37;
+        const Scalar e118 = c_.k4 * (Scalar(6) * e1 * e45 - e2 * e12 + (c_.k57 * e52 + c_.k56 * e37 - e64)) * e18;
+        const Scalar e119 = e1 * (c_.k33 * e2 - c_.k9 * e19 - c_.k34 * e31) - c_.k32 * (e33 * e20 + e34 * e27) + p_.k_p
+            * (Scalar(1) - q_1) + e5 * e117 + tau_1 - p_.k_d * q_1_dot - c_.k31 * cos_q_2
+            * (q_2_dot * (e36 - e35) + c_.k55 * e5 * e5) - e72 * e80 - e81 * e82 - e86 * e90 + e91 * e94 + c_.k29 * e52 * e38
+            - e61 * e95 - e85 * e96 - c_.k30 * (Scalar(22) * e3 * e2 + Scalar(25) * e55) * e15 - e88 * e97 - e78 * e98 + e92
+            * e99 + e118 - e62 * e101 + e102 * e104 - e105 * e107 - e108 * e109 - e111 * e112 - e27 * e113 - e20 * e114 - e115
+            * e116;
+        const Scalar e120 = c_.k5 * e73;
+        const Scalar e121 = c_.k0 + c_.k1 * cos_q_2 * cos_q_2 + c_.k2 * e2 * e2 + c_.k3 * e1 * e1 + c_.k4 * e17 * e17 + e79
+            * e80 + e75 * e82 + e89 * e90 + e93 * e94 + e74 * e95 + e87 * e96 + e27 * e101 + e73 * e120 + e103 * e104 + e106
+            * e107;
+        const Scalar inverse_122 = Scalar(1) / e121;
+        const Scalar e123 = p_.a_3 + p_.a_2 * cos_q_3;
+        const Scalar e124 = cos_q_6 * sin_q_4;
+        const Scalar e125 = cos_q_4 * sin_q_6 + cos_q_5 * e124;
+        const Scalar e126 = sin_q_4 * sin_q_5;
+        const Scalar e127 = p_.c_z * e125 + p_.c_x * e126;
+        const Scalar e128 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e129 = cos_q_4 * e128;
+        const Scalar e130 = sin_q_5 * e123 + cos_q_5 * e129;
+        const Scalar e131 = sin_q_6 * e130 + e128 * e124;
+        const Scalar e132 = e127 - e131;
+        const Scalar e133 = sin_q_4 * sin_q_6;
+        const Scalar e134 = cos_q_4 * cos_q_6 - cos_q_5 * e133;
+        const Scalar e135 = p_.c_x * e134;
+        const Scalar e136 = sin_q_5 * e129 - cos_q_5 * e123;
+        const Scalar e137 = e135 - e136;
+        const Scalar e138 = p_.c_z * e134;
+        const Scalar e139 = cos_q_6 * e130 - e128 * e133;
+        const Scalar e140 = e138 - e139;
+        const Scalar e141 = cos_q_4 * e106 - sin_q_4 * e103;
+        const Scalar e142 = p_.d_4 + Scalar(5) * e128;
+        const Scalar e143 = c_.k6 * e142;
+        const Scalar e144 = p_.J_5 * e125;
+        const Scalar e145 = cos_q_5 * e100;
+        const Scalar e146 = e75 * e144 + e74 * e145 + (c_.k5 * (e73 * e126 - e134 * e87) - e100 * e20);
+        const Scalar e147 = p_.d_4 + c_.k56 * sin_q_3;
+        const Scalar e148 = c_.k8 * e123 * e1 + e132 * e80 - e137 * e90 - e140 * e94 - e141 * e143 + e146 + e115 - e147 * e109;
+        const Scalar e149 = e148 * inverse_122;
         const Scalar tau_2 = u[1];
-        const Scalar e177 = p_.m_6 * e163;
-        const Scalar e178 = cos_q_4 * e139 - sin_q_4 * e134;
-        const Scalar e179 = p_.m_6 * e167;
-        const Scalar e180 = p_.m_6 * e165;
-        const Scalar e181 = p_.J_5 * e18;
-        const Scalar e182 = p_.J_5 * e78 + e150;
-        const Scalar e183 = e182 + e11 * e17;
-        const Scalar e184 = e73 * e181 - (c_.k43 * e29 * e47 - cos_q_5 * e128 * e156)
-            + (e93 * e147 - c_.k50 * e4 - (c_.k45 * e4 - c_.k51 * e3));
-        const Scalar e185 = c_.k34 * e12 - c_.k46 * e3 + (c_.k38 * e16 + sin_q_4 * e31)
-            - (cos_q_4 * e146 - e18 * e183 + (e113 * e172 - e125 * e171));
-        const Scalar e186 = e184 + e185;
-        const Scalar e187 = c_.k5 * e174;
-        const Scalar e188 = c_.k47 * (cos_q_3 * e4 + sin_q_3 * e3) - c_.k39 * (cos_q_3 * e12 - sin_q_3 * e16) - e161
-            * (c_.k48 * e51 + c_.k49 * e64) - c_.k42 + tau_2 - p_.k_p * q_2 - p_.k_d * q_2_dot + c_.k44 * cos_q_2 + e105 * e177
-            - e178 * e170 + e122 * e179 - e117 * e180 - e186 + e142 * e187 - c_.k3 * e149;
-        const Scalar e189 = e188 - e176 * e154;
-        const Scalar e190 = e18 * e181 + (e93 * e172 + e100 * e171);
-        const Scalar e191 = c_.k12 + c_.k13 * e161 * e161 + e190 + e163 * e177 + e169 * e170 + e167 * e179 + e165 * e180 + e174
-            * e187;
-        const Scalar inverse_192 = Scalar(1) / (e191 - e175 * e176);
-        const Scalar e193 = p_.a_3 * e22 - p_.d_4 * e87 - e101;
-        const Scalar e194 = p_.a_3 * cos_q_5 + p_.d_4 * e5 + e166;
-        const Scalar e195 = p_.a_3 * e106 - p_.d_4 * e98 - e164;
-        const Scalar e196 = c_.k16 * e3 - c_.k15 * e4 + c_.k14 * e168 + e193 * e112 - e195 * e121 + e194 * e124 - e173;
-        const Scalar e197 = c_.k17 + c_.k18 * e161 - c_.k14 * e169 + c_.k19 * e174 + e190 + e193 * e177 + e194 * e179 + e195
-            * e180;
-        const Scalar e198 = e197 - e196 * e176;
-        const Scalar e199 = e198 * inverse_192;
+        const Scalar e150 = p_.m_6 * e132;
+        const Scalar e151 = cos_q_4 * e105 + sin_q_4 * e102;
+        const Scalar e152 = p_.m_6 * e137;
+        const Scalar e153 = p_.m_6 * e140;
+        const Scalar e154 = c_.k40 * e87;
+        const Scalar e155 = c_.k5 * e85 - (c_.k40 * e73 + c_.k45 * e75);
+        const Scalar e156 = c_.k45 * e87 + p_.J_5 * e81;
+        const Scalar e157 = p_.J_5 * e62;
+        const Scalar e158 = sin_q_5 * e100;
+        const Scalar e159 = c_.k37 * e38 * e15 - e126 * e154 - (sin_q_4 * e114 + e61 * e145)
+            + (e134 * e155 - e125 * e156 + (cos_q_4 * (e157 + e113) - e111 * e158));
+        const Scalar e160 = c_.k4 * e147;
+        const Scalar e161 = e123 * (c_.k32 * e2 - c_.k41 * e19 - c_.k42 * e31) + e1
+            * (c_.k39 * sin_q_3 + c_.k32 * e128 + c_.k44) + e2 * (c_.k39 * cos_q_3 + c_.k43) - c_.k36 + tau_2 - p_.k_p * q_2
+            - p_.k_d * q_2_dot + c_.k38 * cos_q_2 - e72 * e150 + e151 * e143 + e86 * e152 - e91 * e153 + e136 * e97 + e131
+            * e98 + e139 * e99 + e159 + e108 * e160 - c_.k1 * e116;
+        const Scalar e162 = e161 - e149 * e119;
+        const Scalar e163 = c_.k5 * e134;
+        const Scalar e164 = e125 * e144 + (e158 * e126 + e134 * e163);
+        const Scalar e165 = c_.k10 + c_.k11 * e123 * e123 + e164 + e132 * e150 + e142 * e143 + e137 * e152 + e140 * e153 + e147
+            * e160;
+        const Scalar inverse_166 = Scalar(1) / (e165 - e148 * e149);
+        const Scalar e167 = p_.d_4 * cos_q_4;
+        const Scalar e168 = p_.a_3 * sin_q_5 - cos_q_5 * e167;
+        const Scalar e169 = p_.d_4 * e124 - sin_q_6 * e168;
+        const Scalar e170 = e169 + e127;
+        const Scalar e171 = p_.a_3 * cos_q_5 + sin_q_5 * e167;
+        const Scalar e172 = e171 + e135;
+        const Scalar e173 = cos_q_6 * e168 + p_.d_4 * e133;
+        const Scalar e174 = e138 - e173;
+        const Scalar e175 = c_.k14 * e1 - c_.k13 * e2 + c_.k12 * e141 + e170 * e80 - e172 * e90 - e174 * e94 + e146;
+        const Scalar e176 = c_.k15 + c_.k16 * e123 + c_.k17 * e147 - c_.k12 * e142 + e164 + e170 * e150 + e172 * e152 + e174
+            * e153;
+        const Scalar e177 = e176 - e175 * e149;
+        const Scalar e178 = e177 * inverse_166;
         const Scalar tau_3 = u[2];
-        const Scalar e200 = p_.m_6 * e193;
-        const Scalar e201 = p_.m_6 * e194;
-        const Scalar e202 = p_.m_6 * e195;
-        const Scalar e203 = e196 * inverse_160;
-        const Scalar e204 = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot + c_.k19 * e142 - c_.k53 * e51 - c_.k54 * e64
-            + c_.k14 * e178 + e105 * e200 - e186 + e122 * e201 - e117 * e202;
-        const Scalar e205 = e204 - e203 * e154 - e199 * e189;
-        const Scalar e206 = c_.k20 + e190 + e193 * e200 + e194 * e201 + e195 * e202 - e196 * e203 - e198 * e199;
-        const Scalar inverse_207 = Scalar(1) / e206;
-        const Scalar e208 = cos_q_5 * e181 + (e22 * e172 - e106 * e171);
-        const Scalar e209 = c_.k21 * e195 - c_.k22 * e194;
-        const Scalar e210 = e131 - (c_.k21 * e120 + c_.k22 * e123);
-        const Scalar e211 = -c_.k23 * e4 - e22 * e210 - e107 * e112 - e106 * e127 - cos_q_5 * e158 - sin_q_5 * e130;
-        const Scalar e212 = c_.k21 * e165 - c_.k22 * e167;
-        const Scalar e213 = e208 - e22 * e212 - e107 * e177 - e211 * e176;
-        const Scalar e214 = e208 - e22 * e209 - e107 * e200 - e211 * e203 - e213 * e199;
-        const Scalar e215 = e214 * inverse_207;
+        const Scalar e179 = p_.m_6 * e170;
+        const Scalar e180 = p_.m_6 * e172;
+        const Scalar e181 = p_.m_6 * e174;
+        const Scalar e182 = e175 * inverse_122;
+        const Scalar e183 = c_.k46 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot + c_.k47 * e2 + c_.k48 * e1 + c_.k17 * e108
+            - c_.k49 * e19 - c_.k50 * e31 - c_.k12 * e151 - e72 * e179 - e171 * e97 - e169 * e98 + e173 * e99 + e159 + e86
+            * e180 - e91 * e181;
+        const Scalar e184 = e183 - e182 * e119 - e178 * e162;
+        const Scalar e185 = c_.k18 + e164 + e170 * e179 + e172 * e180 + e174 * e181 - e175 * e182 - e177 * e178;
+        const Scalar inverse_186 = Scalar(1) / e185;
+        const Scalar e187 = cos_q_6 * sin_q_5;
+        const Scalar e188 = cos_q_5 * e158 - e144 * e187;
+        const Scalar e189 = sin_q_5 * sin_q_6;
+        const Scalar e190 = c_.k20 * e174 + (c_.k19 * e172 + e163);
+        const Scalar e191 = p_.c_x * cos_q_5 - p_.c_z * e187;
+        const Scalar e192 = c_.k20 * e93 + (c_.k19 * e89 + e96);
+        const Scalar e193 = e191 * e80 - c_.k21 * e2 - e189 * e192 - e82 * e187 - sin_q_5 * e95 + cos_q_5 * e120;
+        const Scalar e194 = c_.k20 * e140 + (c_.k19 * e137 + e163);
+        const Scalar e195 = e188 + e189 * e194 + e191 * e150 - e193 * e149;
+        const Scalar e196 = e188 + e189 * e190 + e191 * e179 - e193 * e182 - e195 * e178;
+        const Scalar e197 = e196 * inverse_186;
         const Scalar tau_4 = u[3];
-        const Scalar e216 = c_.k22 * e122 + (c_.k2 * e113 + c_.k21 * e117);
-        const Scalar e217 = p_.J_5 * cos_q_5;
-        const Scalar e218 = p_.m_6 * e107;
-        const Scalar e219 = p_.J_5 * e125;
-        const Scalar e220 = e211 * inverse_160;
-        const Scalar e221 = e213 * inverse_192;
-        const Scalar e222 = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k23 * q_1_dot * e67 - c_.k56 * q_4_dot + p_.J_5 * sin_q_5
-            * e128 - cos_q_5 * e182 - e20 + e22 * e216 - e73 * e217 - e105 * e218 + e106 * e219;
-        const Scalar e223 = e222 - e220 * e154 - e221 * e189 - e215 * e205;
-        const Scalar e224 = c_.k25 * e22;
-        const Scalar e225 = c_.k24 + e107 * e218 + e22 * e224 - e211 * e220 - e213 * e221 - e214 * e215;
-        const Scalar inverse_226 = Scalar(1) / e225;
-        const Scalar e227 = c_.k21 * sin_q_6;
-        const Scalar e228 = sin_q_6 * e127 - cos_q_6 * e210 - e111 * e227 - e3 * e156;
-        const Scalar e229 = sin_q_6 * e171 + (p_.J_5 * cos_q_4 + cos_q_6 * e172);
-        const Scalar e230 = e229 - cos_q_6 * e212 - e163 * e227 - e228 * e176;
-        const Scalar e231 = e229 - cos_q_6 * e209 - e193 * e227 - e228 * e203 - e230 * e199;
-        const Scalar e232 = e107 * e227 + cos_q_6 * e224 - e228 * e220 - e230 * e221 - e231 * e215;
-        const Scalar e233 = e232 * inverse_226;
+        const Scalar e198 = e155 + (c_.k19 * e86 - c_.k20 * e91);
+        const Scalar e199 = p_.J_5 * cos_q_5;
+        const Scalar e200 = p_.m_6 * e191;
+        const Scalar e201 = e193 * inverse_122;
+        const Scalar e202 = e195 * inverse_166;
+        const Scalar e203 = c_.k51 * (Scalar(1) - q_4) + tau_4 - c_.k52 * q_4_dot + p_.J_5 * sin_q_5 * e61 + e189 * e198 + e156
+            * e187 - cos_q_5 * e154 - e111 * e199 - e72 * e200 - c_.k21 * e53;
+        const Scalar e204 = e203 - e201 * e119 - e202 * e162 - e197 * e184;
+        const Scalar e205 = c_.k23 * e189;
+        const Scalar e206 = c_.k22 + e191 * e200 + e189 * e205 - e193 * e201 - e195 * e202 - e196 * e197;
+        const Scalar inverse_207 = Scalar(1) / e206;
+        const Scalar e208 = c_.k20 * sin_q_6;
+        const Scalar e209 = e79 * e208 - cos_q_6 * e192 + sin_q_6 * e82 - e101;
+        const Scalar e210 = p_.J_5 * cos_q_4 + sin_q_6 * e144;
+        const Scalar e211 = cos_q_6 * e194 + e132 * e208 + e210 - e209 * e149;
+        const Scalar e212 = cos_q_6 * e190 + e170 * e208 + e210 - e209 * e182 - e211 * e178;
+        const Scalar e213 = e191 * e208 + cos_q_6 * e205 - e209 * e201 - e211 * e202 - e212 * e197;
+        const Scalar e214 = e213 * inverse_207;
         const Scalar tau_5 = u[4];
-        const Scalar e234 = e228 * inverse_160;
-        const Scalar e235 = e230 * inverse_192;
-        const Scalar e236 = e231 * inverse_207;
-        const Scalar e237 = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot - e145 + cos_q_6 * e216 - e105 * e227 - e8 * e32
-            - sin_q_6 * e219;
-        const Scalar e238 = e237 - e234 * e154 - e235 * e189 - e236 * e205 - e233 * e223;
-        const Scalar e239 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e228 * e234 - e230 * e235 - e231 * e236 - e232 * e233;
-        const Scalar inverse_240 = Scalar(1) / e239;
-        const Scalar e241 = -c_.k22 * e111 - e66;
-        const Scalar e242 = e181 - c_.k22 * e163 - e241 * e176;
-        const Scalar e243 = e181 - c_.k22 * e193 - e241 * e203 - e242 * e199;
-        const Scalar e244 = c_.k22 * e107 + e217 - e241 * e220 - e242 * e221 - e243 * e215;
-        const Scalar e245 = c_.k28 * sin_q_6 - e241 * e234 - e242 * e235 - e243 * e236 - e244 * e233;
-        const Scalar e246 = e245 * inverse_240;
+        const Scalar e215 = e209 * inverse_122;
+        const Scalar e216 = e211 * inverse_166;
+        const Scalar e217 = e212 * inverse_186;
+        const Scalar e218 = c_.k53 + tau_5 - c_.k51 * q_5 - c_.k52 * q_5_dot - sin_q_6 * e156 - e72 * e208 + cos_q_6 * e198
+            + e157;
+        const Scalar e219 = e218 - e215 * e119 - e216 * e162 - e217 * e184 - e214 * e204;
+        const Scalar e220 = c_.k24 + c_.k25 * cos_q_6 * cos_q_6 - e209 * e215 - e211 * e216 - e212 * e217 - e213 * e214;
+        const Scalar inverse_221 = Scalar(1) / e220;
+        const Scalar e222 = c_.k19 * e79 + e112;
+        const Scalar e223 = c_.k19 * e132 + e158 - e222 * e149;
+        const Scalar e224 = c_.k19 * e170 + e158 - e222 * e182 - e223 * e178;
+        const Scalar e225 = c_.k19 * e191 + e199 - e222 * e201 - e223 * e202 - e224 * e197;
+        const Scalar e226 = c_.k26 * sin_q_6 - e222 * e215 - e223 * e216 - e224 * e217 - e225 * e214;
+        const Scalar e227 = e226 * inverse_221;
         const Scalar tau_6 = u[5];
-        const Scalar e247 = e241 * inverse_160;
-        const Scalar e248 = e242 * inverse_192;
-        const Scalar e249 = e243 * inverse_207;
-        const Scalar e250 = e244 * inverse_226;
-        const Scalar e251 = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - c_.k22 * e105 - e183;
-        const Scalar e252 = e251 - e247 * e154 - e248 * e189 - e249 * e205 - e250 * e223 - e246 * e238;
-        const Scalar e253 = c_.k27 - e241 * e247 - e242 * e248 - e243 * e249 - e244 * e250 - e245 * e246;
-        const Scalar q_6_ddot = e252 / e253;
-        const Scalar q_5_ddot = e238 * inverse_240 - e246 * q_6_ddot;
-        const Scalar q_4_ddot = e223 * inverse_226 - e233 * q_5_ddot - e250 * q_6_ddot;
-        const Scalar q_3_ddot = e205 * inverse_207 - e215 * q_4_ddot - e236 * q_5_ddot - e249 * q_6_ddot;
-        const Scalar q_2_ddot = e189 * inverse_192 - e199 * q_3_ddot - e221 * q_4_ddot - e235 * q_5_ddot - e248 * q_6_ddot;
-        const Scalar q_1_ddot = e154 * inverse_160 - e176 * q_2_ddot - e203 * q_3_ddot - e220 * q_4_ddot - e234 * q_5_ddot
-            - e247 * q_6_ddot;
+        const Scalar e228 = e222 * inverse_122;
+        const Scalar e229 = e223 * inverse_166;
+        const Scalar e230 = e224 * inverse_186;
+        const Scalar e231 = e225 * inverse_207;
+        const Scalar e232 = tau_6 - c_.k51 * (Scalar(1) + q_6) - c_.k52 * q_6_dot - p_.J_5 * e110 - c_.k19 * e72 - e154;
+        const Scalar e233 = e232 - e228 * e119 - e229 * e162 - e230 * e184 - e231 * e204 - e227 * e219;
+        const Scalar e234 = c_.k25 - e222 * e228 - e223 * e229 - e224 * e230 - e225 * e231 - e226 * e227;
+        const Scalar q_6_ddot = e233 / e234;
+        const Scalar q_5_ddot = e219 * inverse_221 - e227 * q_6_ddot;
+        const Scalar q_4_ddot = e204 * inverse_207 - e214 * q_5_ddot - e231 * q_6_ddot;
+        const Scalar q_3_ddot = e184 * inverse_186 - e197 * q_4_ddot - e217 * q_5_ddot - e230 * q_6_ddot;
+        const Scalar q_2_ddot = e162 * inverse_166 - e178 * q_3_ddot - e202 * q_4_ddot - e216 * q_5_ddot - e229 * q_6_ddot;
+        const Scalar q_1_ddot = e119 * inverse_122 - e149 * q_2_ddot - e182 * q_3_ddot - e201 * q_4_ddot - e215 * q_5_ddot
+            - e228 * q_6_ddot;
         dxdt[0] = x[6];
         dxdt[1] = x[7];
         dxdt[2] = x[8];
@@ -741,9 +711,9 @@ public:
         const Scalar e10 = e4 * e7 - e8 * e9;
         const Scalar q_3_dot = x[8];
         const Scalar e11 = q_3_dot + q_2_dot;
-        const Scalar e12 = c_.k76 * e4;
-        const Scalar e13 = e12 - c_.k81 * e8;
-        const Scalar e14 = -c_.k77 * e10 - e11 * e13;
+        const Scalar e12 = c_.k67 * e4;
+        const Scalar e13 = e12 - c_.k72 * e8;
+        const Scalar e14 = -c_.k68 * e10 - e11 * e13;
         const Scalar q_4 = x[3];
         Scalar sin_q_4, cos_q_4;
         detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
@@ -755,10 +725,10 @@ public:
         const Scalar e19 = cos_q_4 * e16 + sin_q_4 * e18;
         const Scalar e20 = -e19;
         const Scalar e21 = -e4 * sin_q_4 - e11 * cos_q_4;
-        const Scalar e22 = c_.k88 * e20 - c_.k89 * e21;
+        const Scalar e22 = c_.k79 * e20 - c_.k80 * e21;
         const Scalar e23 = e4 * cos_q_4 - e11 * sin_q_4;
         const Scalar e24 = p_.a_3 * e11 + e7;
-        const Scalar e25 = c_.k88 * e24;
+        const Scalar e25 = c_.k79 * e24;
         const Scalar e26 = e15 * e22 - e23 * e25;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
@@ -782,63 +752,63 @@ public:
         const Scalar e38 = e29 * e31 - e33 * e37;
         const Scalar e39 = e27 * sin_q_6 + e28 * cos_q_6;
         const Scalar e40 = -e39;
-        const Scalar e41 = c_.k28 * e29;
-        const Scalar e42 = c_.k91 * e33 + e41;
-        const Scalar e43 = c_.k21 * e38 - e40 * e42;
-        const Scalar e44 = c_.k28 * c_.k97;
+        const Scalar e41 = c_.k26 * e29;
+        const Scalar e42 = c_.k82 * e33 + e41;
+        const Scalar e43 = c_.k20 * e38 - e40 * e42;
+        const Scalar e44 = c_.k26 * c_.k88;
         const Scalar tau_6 = u[5];
-        const Scalar e45 = c_.k28 * e33;
-        const Scalar e46 = c_.k27 * e29 + e45;
-        const Scalar e47 = e40 * e46 - c_.k22 * e38;
-        const Scalar e48 = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - e47;
-        const Scalar e49 = c_.k91 - c_.k28 * e44;
+        const Scalar e45 = c_.k26 * e33;
+        const Scalar e46 = c_.k25 * e29 + e45;
+        const Scalar e47 = e40 * e46 - c_.k19 * e38;
+        const Scalar e48 = tau_6 - c_.k51 * (Scalar(1) + q_6) - c_.k52 * q_6_dot - e47;
+        const Scalar e49 = c_.k82 - c_.k26 * e44;
         const Scalar e50 = q_6_dot * e39;
-        const Scalar e51 = c_.k22 * e44 - c_.k21;
+        const Scalar e51 = c_.k19 * e44 - c_.k20;
         const Scalar e52 = q_6_dot * e37;
         const Scalar e53 = e43 - e44 * e48 + (-e49 * e50 - e51 * e52);
-        const Scalar e54 = c_.k93 * e33;
+        const Scalar e54 = c_.k84 * e33;
         const Scalar e55 = e34 * sin_q_6 + e36 * cos_q_6;
         const Scalar e56 = -e55;
-        const Scalar e57 = c_.k21 * e33;
-        const Scalar e58 = c_.k22 * e29;
+        const Scalar e57 = c_.k20 * e33;
+        const Scalar e58 = c_.k19 * e29;
         const Scalar e59 = e57 + e58;
-        const Scalar e60 = c_.k21 * e31;
-        const Scalar e61 = c_.k22 * e37;
+        const Scalar e60 = c_.k20 * e31;
+        const Scalar e61 = c_.k19 * e37;
         const Scalar e62 = e60 + e61;
         const Scalar e63 = e29 * (e41 - e54) - e56 * e59 + e40 * e62 - e33 * e45;
         const Scalar e64 = q_6_dot * e29;
         const Scalar e65 = q_6_dot * e55;
-        const Scalar e66 = e63 + (-c_.k92 * e64 - c_.k21 * e65);
-        const Scalar e67 = c_.k92 * sin_q_6;
+        const Scalar e66 = e63 + (-c_.k83 * e64 - c_.k20 * e65);
+        const Scalar e67 = c_.k83 * sin_q_6;
         const Scalar e68 = e49 * cos_q_6;
         const Scalar e69 = cos_q_6 * e67 - sin_q_6 * e68;
-        const Scalar e70 = p_.J_5 + (sin_q_6 * (e49 * sin_q_6) + cos_q_6 * (c_.k92 * cos_q_6));
+        const Scalar e70 = p_.J_5 + (sin_q_6 * (e49 * sin_q_6) + cos_q_6 * (c_.k83 * cos_q_6));
         const Scalar inverse_71 = Scalar(1) / e70;
         const Scalar e72 = e69 * inverse_71;
         const Scalar tau_5 = u[4];
         const Scalar e73 = -sin_q_6 * e53 - cos_q_6 * e66;
-        const Scalar e74 = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot - e73;
+        const Scalar e74 = c_.k53 + tau_5 - c_.k51 * q_5 - c_.k52 * q_5_dot - e73;
         const Scalar e75 = p_.J_5 + (cos_q_6 * e68 + sin_q_6 * e67) - e69 * e72;
         const Scalar e76 = q_5_dot * e32;
-        const Scalar e77 = c_.k27 * e44 - c_.k28;
+        const Scalar e77 = c_.k25 * e44 - c_.k26;
         const Scalar e78 = sin_q_6 * e77;
         const Scalar e79 = e77 * cos_q_6 + e78 * e72;
         const Scalar e80 = q_5_dot * e27;
-        const Scalar e81 = c_.k21 * sin_q_6;
+        const Scalar e81 = c_.k20 * sin_q_6;
         const Scalar e82 = e51 * cos_q_6;
         const Scalar e83 = e51 * sin_q_6;
-        const Scalar e84 = c_.k21 * cos_q_6;
+        const Scalar e84 = c_.k20 * cos_q_6;
         const Scalar e85 = sin_q_6 * e83 - cos_q_6 * e84;
         const Scalar e86 = -cos_q_6 * e81 - sin_q_6 * e82 - e85 * e72;
         const Scalar e87 = q_5_dot * e30;
-        const Scalar e88 = c_.k22 * cos_q_6;
-        const Scalar e89 = c_.k22 * sin_q_6 - e88 * e72;
+        const Scalar e88 = c_.k19 * cos_q_6;
+        const Scalar e89 = c_.k19 * sin_q_6 - e88 * e72;
         const Scalar e90 = q_5_dot * e34;
         const Scalar e91 = cos_q_6 * e53 - sin_q_6 * e66 + e72 * e74 + (-e75 * e76 - e79 * e80 - e86 * e87 - e89 * e90);
-        const Scalar e92 = c_.k27 * c_.k97;
-        const Scalar e93 = c_.k22 - c_.k22 * e92;
+        const Scalar e92 = c_.k25 * c_.k88;
+        const Scalar e93 = c_.k19 - c_.k19 * e92;
         const Scalar e94 = e78 * inverse_71;
-        const Scalar e95 = p_.J_5 + (c_.k27 - c_.k27 * e92) - e78 * e94;
+        const Scalar e95 = p_.J_5 + (c_.k25 - c_.k25 * e92) - e78 * e94;
         const Scalar e96 = e85 * e94 - sin_q_6 * e93;
         const Scalar e97 = e88 * e94;
         const Scalar e98 = e47 + e92 * e48 + (-e77 * e50 - e93 * e52) - e94 * e74
@@ -848,12 +818,12 @@ public:
         const Scalar e101 = e79 * cos_q_5;
         const Scalar e102 = e101 - e95 * sin_q_5;
         const Scalar e103 = sin_q_5 * e100 + cos_q_5 * e102;
-        const Scalar e104 = c_.k23 + (sin_q_5 * (e75 * sin_q_5 + e101) + cos_q_5 * (e99 + e95 * cos_q_5));
+        const Scalar e104 = c_.k21 + (sin_q_5 * (e75 * sin_q_5 + e101) + cos_q_5 * (e99 + e95 * cos_q_5));
         const Scalar inverse_105 = Scalar(1) / e104;
         const Scalar e106 = e103 * inverse_105;
         const Scalar tau_4 = u[3];
         const Scalar e107 = sin_q_5 * e91 + cos_q_5 * e98;
-        const Scalar e108 = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k56 * q_4_dot - e107;
+        const Scalar e108 = c_.k51 * (Scalar(1) - q_4) + tau_4 - c_.k52 * q_4_dot - e107;
         const Scalar e109 = e69 - e70 * e72;
         const Scalar e110 = e70 * e94 - e78;
         const Scalar e111 = -sin_q_5 * e109 - cos_q_5 * e110;
@@ -861,7 +831,7 @@ public:
         const Scalar e113 = q_4_dot * sin_q_4;
         const Scalar e114 = q_4_dot * cos_q_4;
         const Scalar e115 = e11 * e113 - e4 * e114;
-        const Scalar e116 = c_.k87 + (cos_q_5 * e100 - sin_q_5 * e102) - e103 * e106;
+        const Scalar e116 = c_.k78 + (cos_q_5 * e100 - sin_q_5 * e102) - e103 * e106;
         const Scalar e117 = e4 * e113 + e11 * e114;
         const Scalar e118 = e86 * cos_q_5 - e96 * sin_q_5;
         const Scalar e119 = e89 * cos_q_5 - e97 * sin_q_5;
@@ -874,40 +844,40 @@ public:
         const Scalar e126 = sin_q_6 * e81 - cos_q_6 * e82 - e125 * e72;
         const Scalar e127 = e125 * e94 - cos_q_6 * e93;
         const Scalar e128 = e126 * sin_q_5 + e127 * cos_q_5;
-        const Scalar e129 = c_.k88 - (e126 * cos_q_5 - e127 * sin_q_5) + e128 * e106;
+        const Scalar e129 = c_.k79 - (e126 * cos_q_5 - e127 * sin_q_5) + e128 * e106;
         const Scalar e130 = e16 * e114 + e18 * e113;
         const Scalar e131 = e26 + (cos_q_5 * e91 - sin_q_5 * e98) + e106 * e108
             + (e112 * e115 - e116 * e117 + e123 * e124 + e129 * e130);
-        const Scalar e132 = c_.k88 * e35 + c_.k89 * e23;
+        const Scalar e132 = c_.k79 * e35 + c_.k80 * e23;
         const Scalar e133 = e15 * e132 - e21 * e25;
         const Scalar e134 = e70 * inverse_71;
         const Scalar e135 = e85 - e85 * e134;
         const Scalar e136 = e88 - e88 * e134;
         const Scalar e137 = e111 * inverse_105;
-        const Scalar e138 = c_.k87 + (e70 - e70 * e134) - e111 * e137;
-        const Scalar e139 = sin_q_5 * e136 - cos_q_5 * e135 - c_.k88 - e122 * e137;
+        const Scalar e138 = c_.k78 + (e70 - e70 * e134) - e111 * e137;
+        const Scalar e139 = sin_q_5 * e136 - cos_q_5 * e135 - c_.k79 - e122 * e137;
         const Scalar e140 = e125 - e125 * e134 + e128 * e137;
         const Scalar e141 = e73 + e134 * e74 + (-e109 * e76 - e110 * e80 - e135 * e87 - e136 * e90);
         const Scalar e142 = e133 - e141 + e137 * e108 + (e138 * e115 - e112 * e117 + e139 * e124 + e140 * e130);
         const Scalar e143 = p_.d_4 * sin_q_4;
         const Scalar e144 = p_.m_4 * e24;
-        const Scalar e145 = c_.k88 * e23;
+        const Scalar e145 = c_.k79 * e23;
         const Scalar e146 = p_.m_4 * e35;
         const Scalar e147 = e145 + e146;
         const Scalar e148 = e21 * e144 - e15 * e147;
-        const Scalar e149 = c_.k21 * e29;
-        const Scalar e150 = c_.k22 * e33;
+        const Scalar e149 = c_.k20 * e29;
+        const Scalar e150 = c_.k19 * e33;
         const Scalar e151 = p_.m_6 * e56;
         const Scalar e152 = e150 + e151;
         const Scalar e153 = e149 - e152;
-        const Scalar e154 = c_.k22 * e40;
+        const Scalar e154 = c_.k19 * e40;
         const Scalar e155 = p_.m_6 * e31;
         const Scalar e156 = e154 - e155;
         const Scalar e157 = e33 * e153 - e40 * e156;
-        const Scalar e158 = e157 + (-c_.k21 * e64 - p_.m_6 * e65);
+        const Scalar e158 = e157 + (-c_.k20 * e64 - p_.m_6 * e65);
         const Scalar e159 = e40 * e59 - p_.m_6 * e38;
-        const Scalar e160 = c_.k22 * c_.k97;
-        const Scalar e161 = p_.m_6 - c_.k22 * e160;
+        const Scalar e160 = c_.k19 * c_.k88;
+        const Scalar e161 = p_.m_6 - c_.k19 * e160;
         const Scalar e162 = e159 + e160 * e48 + (-e51 * e50 - e161 * e52);
         const Scalar e163 = e85 * inverse_71;
         const Scalar e164 = e88 * e163;
@@ -915,13 +885,13 @@ public:
         const Scalar e166 = e161 * sin_q_6;
         const Scalar e167 = cos_q_6 * e165 + sin_q_6 * e166 - e85 * e163;
         const Scalar e168 = cos_q_6 * e158 - sin_q_6 * e162 + e163 * e74 + (e164 * e90 - e86 * e76 - e96 * e80 - e167 * e87);
-        const Scalar e169 = c_.k21 * e40;
+        const Scalar e169 = c_.k20 * e40;
         const Scalar e170 = p_.m_6 * e37;
         const Scalar e171 = e169 + e170;
         const Scalar e172 = -e40 * e171 - e29 * e153;
         const Scalar e173 = e88 * inverse_71;
         const Scalar e174 = p_.m_6 - e88 * e173;
-        const Scalar e175 = e172 + c_.k22 * e64 + e173 * e74 + (e164 * e87 - e89 * e76 - e97 * e80 - e174 * e90);
+        const Scalar e175 = e172 + c_.k19 * e64 + e173 * e74 + (e164 * e87 - e89 * e76 - e97 * e80 - e174 * e90);
         const Scalar e176 = e122 * inverse_105;
         const Scalar e177 = e164 * sin_q_5;
         const Scalar e178 = e167 * cos_q_5 + e177;
@@ -934,7 +904,7 @@ public:
         const Scalar e185 = e148 + (cos_q_5 * e168 - sin_q_5 * e175) + e176 * e108
             + (e139 * e115 - e123 * e117 + e181 * e124 + e184 * e130);
         const Scalar e186 = p_.d_4 * cos_q_4;
-        const Scalar e187 = c_.k88 * e21;
+        const Scalar e187 = c_.k79 * e21;
         const Scalar e188 = p_.m_4 * e20;
         const Scalar e189 = e187 - e188;
         const Scalar e190 = -e15 * e189 - e23 * e144;
@@ -967,24 +937,24 @@ public:
         const Scalar e217 = e209 * e143 - e206 * sin_q_4 - e207 * cos_q_4 - e208 * e186 + e216 * p_.a_3;
         const Scalar e218 = sin_q_4 * (e129 * e143 - e116 * sin_q_4 - e201 - e123 * e186 + e206 * p_.a_3);
         const Scalar e219 = cos_q_4 * (e140 * e143 - e199 - e138 * cos_q_4 - e139 * e186 + e207 * p_.a_3);
-        const Scalar e220 = c_.k80 + (e143 * e212 - e218 - e219 - e186 * e213 + p_.a_3 * e217);
+        const Scalar e220 = c_.k71 + (e143 * e212 - e218 - e219 - e186 * e213 + p_.a_3 * e217);
         const Scalar inverse_221 = Scalar(1) / e220;
         const Scalar e222 = e211 * inverse_221;
         const Scalar tau_3 = u[2];
-        const Scalar e223 = c_.k83 * e8;
-        const Scalar e224 = c_.k77 * e8;
-        const Scalar e225 = c_.k79 * e4;
+        const Scalar e223 = c_.k74 * e8;
+        const Scalar e224 = c_.k68 * e8;
+        const Scalar e225 = c_.k70 * e4;
         const Scalar e226 = e224 - e225;
-        const Scalar e227 = c_.k77 * e7;
-        const Scalar e228 = c_.k79 * e9;
+        const Scalar e227 = c_.k68 * e7;
+        const Scalar e228 = c_.k70 * e9;
         const Scalar e229 = e227 - e228;
-        const Scalar e230 = c_.k76 * e8;
+        const Scalar e230 = c_.k67 * e8;
         const Scalar e231 = e23 * e147 + e21 * e189;
         const Scalar e232 = e231 + (sin_q_5 * e168 + cos_q_5 * e175) + e214 * e108
             + (e207 * e115 - e206 * e117 + e208 * e124 + e209 * e130);
         const Scalar e233 = e143 * e196 - sin_q_4 * e131 - cos_q_4 * e142 - e186 * e185 + p_.a_3 * e232;
         const Scalar e234 = e4 * (e12 + e223) + e17 * e226 - e11 * e229 - e8 * e230 + e233;
-        const Scalar e235 = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot - e234;
+        const Scalar e235 = c_.k46 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot - e234;
         const Scalar e236 = e103 - e104 * e106;
         const Scalar e237 = e111 - e104 * e137;
         const Scalar e238 = e104 * inverse_105;
@@ -998,38 +968,38 @@ public:
         const Scalar e246 = e143 * e243 - sin_q_4 * (e236 + e123 * e241 + e129 * e242) - cos_q_4
             * (e237 + e139 * e241 + e140 * e242) - e186 * e244 + p_.a_3 * e245;
         const Scalar e247 = e236 * cos_q_4 - e237 * sin_q_4 - e239 * e143 - e240 * e186 + e241 * e204 + e242 * e198;
-        const Scalar e248 = c_.k76 + e247 - e246 * e222;
+        const Scalar e248 = c_.k67 + e247 - e246 * e222;
         const Scalar e249 = q_3_dot * cos_q_3;
         const Scalar e250 = q_3_dot * sin_q_3;
         const Scalar e251 = -e1 * e249 - e3 * e250;
-        const Scalar e252 = c_.k75 + (cos_q_4 * e200 - sin_q_4 * e202 - e143 * e204 - e186 * e198) - e211 * e222;
+        const Scalar e252 = c_.k66 + (cos_q_4 * e200 - sin_q_4 * e202 - e143 * e204 - e186 * e198) - e211 * e222;
         const Scalar e253 = e1 * e250 - e3 * e249;
-        const Scalar e254 = c_.k77 + (cos_q_4 * e213 - sin_q_4 * e212);
+        const Scalar e254 = c_.k68 + (cos_q_4 * e213 - sin_q_4 * e212);
         const Scalar e255 = cos_q_4 * e204 - sin_q_4 * e198 - e254 * e222;
         const Scalar e256 = e6 * e250 - e5 * e249;
-        const Scalar e257 = c_.k79 + e217;
+        const Scalar e257 = c_.k70 + e217;
         const Scalar e258 = e210 - e257 * e222;
         const Scalar e259 = -e6 * e249 - e5 * e250;
         const Scalar e260 = e14 + (cos_q_4 * e131 - sin_q_4 * e142 - e143 * e185 - e186 * e196) + e222 * e235;
         const Scalar e261 = e260 + (e248 * e251 - e252 * e253 - e255 * e256 + e258 * e259);
-        const Scalar e262 = e230 - c_.k82 * e4;
-        const Scalar e263 = e11 * e262 - c_.k79 * e10;
+        const Scalar e262 = e230 - c_.k73 * e4;
+        const Scalar e263 = e11 * e262 - c_.k70 * e10;
         const Scalar e264 = e246 * inverse_221;
         const Scalar e265 = e104 - e104 * e238 + e239 * e241 + e240 * e242 + e241 * e244 + e242 * e243;
-        const Scalar e266 = c_.k78 + e265 - e246 * e264;
+        const Scalar e266 = c_.k69 + e265 - e246 * e264;
         const Scalar e267 = cos_q_4 * e244 - sin_q_4 * e243 - e254 * e264;
         const Scalar e268 = e245 - e257 * e264;
         const Scalar e269 = e107 + e238 * e108 + (e237 * e115 - e236 * e117 + e239 * e124 + e240 * e130);
         const Scalar e270 = e263 + (e269 + e241 * e185 + e242 * e196) + e264 * e235
             + (e266 * e251 - e248 * e253 - e267 * e256 + e268 * e259);
         const Scalar e271 = p_.d_3 * sin_q_3;
-        const Scalar e272 = c_.k79 * e11;
+        const Scalar e272 = c_.k70 * e11;
         const Scalar e273 = p_.m_3 * e7;
         const Scalar e274 = e272 + e273;
-        const Scalar e275 = c_.k79 * e8;
+        const Scalar e275 = c_.k70 * e8;
         const Scalar e276 = p_.m_3 * e17;
         const Scalar e277 = e275 - e276;
-        const Scalar e278 = c_.k77 * e4;
+        const Scalar e278 = c_.k68 * e4;
         const Scalar e279 = e277 + e278;
         const Scalar e280 = -e11 * e274 - e8 * e279;
         const Scalar e281 = e254 * inverse_221;
@@ -1042,15 +1012,15 @@ public:
         const Scalar e288 = e280 + (cos_q_4 * e185 - sin_q_4 * e196) + e281 * e235
             + (e267 * e251 - e255 * e253 - e286 * e256 + e287 * e259);
         const Scalar e289 = p_.d_3 * cos_q_3;
-        const Scalar e290 = c_.k77 * e11;
+        const Scalar e290 = c_.k68 * e11;
         const Scalar e291 = p_.m_3 * e9;
         const Scalar e292 = e290 + e291;
         const Scalar e293 = e11 * e292 + e4 * e279;
         const Scalar e294 = e257 * inverse_221;
         const Scalar e295 = p_.m_3 + e216 - e257 * e294;
         const Scalar e296 = e293 + e232 + e294 * e235 + (e268 * e251 - e258 * e253 - e287 * e256 + e295 * e259);
-        const Scalar e297 = c_.k9 * e1;
-        const Scalar e298 = c_.k72 * q_2_dot + e297;
+        const Scalar e297 = c_.k7 * e1;
+        const Scalar e298 = c_.k63 * q_2_dot + e297;
         const Scalar e299 = e3 * e298;
         const Scalar e300 = e211 - e220 * e222;
         const Scalar e301 = e246 - e220 * e264;
@@ -1064,26 +1034,26 @@ public:
         const Scalar e309 = e287 * e271;
         const Scalar e310 = e258 * cos_q_3 - e268 * sin_q_3 - e309 - e295 * e289;
         const Scalar e311 = e300 * cos_q_3 - e301 * sin_q_3 - e303 * e271 - e304 * e289 + e305 * e307 + e308 * e310;
-        const Scalar e312 = e311 - c_.k9;
+        const Scalar e312 = e311 - c_.k7;
         const Scalar e313 = e303 + e286 * e305 + e287 * e308;
         const Scalar e314 = e304 + e287 * e305 + e295 * e308;
         const Scalar e315 = e220 - e220 * e302 + e303 * e305 + e304 * e308 + e305 * e313 + e308 * e314;
-        const Scalar inverse_316 = Scalar(1) / (c_.k71 + e315);
+        const Scalar inverse_316 = Scalar(1) / (c_.k62 + e315);
         const Scalar e317 = e312 * inverse_316;
         const Scalar tau_2 = u[1];
-        const Scalar e318 = c_.k9 * q_2_dot;
-        const Scalar e319 = c_.k3 * e1 + e318;
+        const Scalar e318 = c_.k7 * q_2_dot;
+        const Scalar e319 = c_.k1 * e1 + e318;
         const Scalar e320 = e234 + e302 * e235 + (e301 * e251 - e300 * e253 - e303 * e256 + e304 * e259);
-        const Scalar e321 = tau_2 - c_.k42 - p_.k_p * q_2 - p_.k_d * q_2_dot - (e3 * e319 + (e320 + e305 * e288 + e308 * e296));
+        const Scalar e321 = tau_2 - c_.k36 - p_.k_p * q_2 - p_.k_d * q_2_dot - (e3 * e319 + (e320 + e305 * e288 + e308 * e296));
         const Scalar e322 = e248 * sin_q_3;
         const Scalar e323 = e252 * cos_q_3 - e322 - e255 * e271 - e258 * e289;
         const Scalar e324 = e248 * cos_q_3;
         const Scalar e325 = e324 - e266 * sin_q_3 - e267 * e271 - e268 * e289;
-        const Scalar e326 = c_.k67 + (cos_q_3 * e323 - sin_q_3 * e325 - e271 * e307 - e289 * e310) - e312 * e317;
+        const Scalar e326 = c_.k58 + (cos_q_3 * e323 - sin_q_3 * e325 - e271 * e307 - e289 * e310) - e312 * e317;
         const Scalar e327 = q_2_dot * e2;
         const Scalar e328 = -sin_q_4 * e213 - cos_q_4 * e212;
-        const Scalar e329 = -sin_q_4 * e204 - cos_q_4 * e198 - c_.k77 - e328 * e222;
-        const Scalar e330 = -sin_q_4 * e244 - cos_q_4 * e243 - c_.k79 - e328 * e264;
+        const Scalar e329 = -sin_q_4 * e204 - cos_q_4 * e198 - c_.k68 - e328 * e222;
+        const Scalar e330 = -sin_q_4 * e244 - cos_q_4 * e243 - c_.k70 - e328 * e264;
         const Scalar e331 = -sin_q_4 * e283 - cos_q_4 * e285 - e328 * e281;
         const Scalar e332 = -sin_q_4 * e208 - cos_q_4 * e209 - e328 * e294;
         const Scalar e333 = e255 * sin_q_3 + e267 * cos_q_3 + e286 * e289 - e309 - e331 * p_.a_2;
@@ -1094,7 +1064,7 @@ public:
             * (e329 * cos_q_3 - e330 * sin_q_3 - e331 * e271 - e332 * e289);
         const Scalar e338 = e337 - e336 * e317;
         const Scalar e339 = q_2_dot * e1;
-        const Scalar e340 = c_.k73 * q_2_dot;
+        const Scalar e340 = c_.k64 * q_2_dot;
         const Scalar e341 = e1 * (e297 - e340) - q_2_dot * e318;
         const Scalar e342 = p_.m_3 * e10 - e11 * e226;
         const Scalar e343 = e328 * inverse_221;
@@ -1104,14 +1074,14 @@ public:
         const Scalar e347 = -sin_q_4 * (-e181 * sin_q_4 - e284) - cos_q_4 * (-e282 - e194 * cos_q_4);
         const Scalar e348 = e329 * sin_q_3 + e330 * cos_q_3 + e331 * e289 - e332 * e271 - (p_.m_3 + e347 - e328 * e343)
             * p_.a_2;
-        const Scalar e349 = c_.k69 + (e345 + e346 + e289 * e333 - e271 * e334 - p_.a_2 * e348) - e336 * e344;
+        const Scalar e349 = c_.k60 + (e345 + e346 + e289 * e333 - e271 * e334 - p_.a_2 * e348) - e336 * e344;
         const Scalar e350 = -sin_q_2 * (-e326 * sin_q_2 - e338 * cos_q_2) - cos_q_2 * (-e338 * sin_q_2 - e349 * cos_q_2);
         const Scalar inverse_351 = Scalar(1) / (p_.J_1 + e350);
         const Scalar e352 = cos_q_3 * e313 - sin_q_3 * e314;
         const Scalar e353 = cos_q_3 * e307 - sin_q_3 * e310 - e352 * e317;
-        const Scalar e354 = c_.k68 + (cos_q_3 * e333 - sin_q_3 * e334) - e352 * e344;
-        const Scalar e355 = c_.k70 + (sin_q_3 * e313 + cos_q_3 * e314);
-        const Scalar e356 = sin_q_3 * e307 + cos_q_3 * e310 - c_.k68 - e355 * e317;
+        const Scalar e354 = c_.k59 + (cos_q_3 * e333 - sin_q_3 * e334) - e352 * e344;
+        const Scalar e355 = c_.k61 + (sin_q_3 * e313 + cos_q_3 * e314);
+        const Scalar e356 = sin_q_3 * e307 + cos_q_3 * e310 - c_.k59 - e355 * e317;
         const Scalar e357 = sin_q_3 * e333 + cos_q_3 * e334 - e355 * e344;
         const Scalar e358 = cos_q_3 * e261 - sin_q_3 * e270 - e271 * e288 - e289 * e296 - e299 + e317 * e321;
         const Scalar e359 = e342 + (-sin_q_4 * e185 - cos_q_4 * e196) + e343 * e235
@@ -1180,7 +1150,7 @@ public:
         const Scalar e412 = sin_q_6 * e411;
         const Scalar e413 = e410 - e412 - e50;
         const Scalar e414 = cos_q_6 * e399 - sin_q_6 * e408 - e52;
-        const Scalar q_6_ddot = e48 * c_.k97 + e44 * e413 - e92 * e405 - e160 * e414;
+        const Scalar q_6_ddot = e48 * c_.k88 + e44 * e413 - e92 * e405 - e160 * e414;
         dxdt[0] = x[6];
         dxdt[1] = x[7];
         dxdt[2] = x[8];
@@ -1194,75 +1164,75 @@ public:
         dxdt[10] = q_5_ddot;
         dxdt[11] = q_6_ddot;
         const Scalar e415 = e405 + q_6_ddot;
-        const Scalar e416 = c_.k91 * e413 - c_.k28 * e415 - c_.k21 * e414 + e43;
+        const Scalar e416 = c_.k82 * e413 - c_.k26 * e415 - c_.k20 * e414 + e43;
         const Scalar e417 = cos_q_6 * e416;
         const Scalar e418 = -sin_q_6 * e404 - cos_q_6 * e411 - e64;
         const Scalar e419 = cos_q_6 * e408;
         const Scalar e420 = sin_q_6 * e399;
         const Scalar e421 = e419 + e420 - e65;
-        const Scalar e422 = c_.k92 * e418 + c_.k21 * e421 - c_.k22 * e409 + e63;
+        const Scalar e422 = c_.k83 * e418 + c_.k20 * e421 - c_.k19 * e409 + e63;
         const Scalar e423 = sin_q_6 * e422;
         const Scalar e424 = p_.J_5 * e404 + (e417 - e423);
-        const Scalar e425 = p_.J_5 * e405 + (c_.k27 * e415 - c_.k28 * e413 + c_.k22 * e414 + e47);
+        const Scalar e425 = p_.J_5 * e405 + (c_.k25 * e415 - c_.k26 * e413 + c_.k19 * e414 + e47);
         const Scalar e426 = cos_q_5 * e424 - sin_q_5 * e425;
-        const Scalar e427 = c_.k87 * e389 + c_.k88 * e399 + e26 + e426;
+        const Scalar e427 = c_.k78 * e389 + c_.k79 * e399 + e26 + e426;
         const Scalar e428 = cos_q_4 * e427;
         const Scalar e429 = -sin_q_6 * e416 - cos_q_6 * e422;
-        const Scalar e430 = c_.k87 * e391 - c_.k88 * e397 + e133 - (p_.J_5 * e411 + e429);
+        const Scalar e430 = c_.k78 * e391 - c_.k79 * e397 + e133 - (p_.J_5 * e411 + e429);
         const Scalar e431 = sin_q_4 * e430;
-        const Scalar e432 = c_.k21 * e418 + p_.m_6 * e421 + e157;
+        const Scalar e432 = c_.k20 * e418 + p_.m_6 * e421 + e157;
         const Scalar e433 = cos_q_6 * e432;
-        const Scalar e434 = c_.k22 * e415 - c_.k21 * e413 + p_.m_6 * e414 + e159;
+        const Scalar e434 = c_.k19 * e415 - c_.k20 * e413 + p_.m_6 * e414 + e159;
         const Scalar e435 = sin_q_6 * e434;
         const Scalar e436 = e433 - e435;
-        const Scalar e437 = p_.m_6 * e409 - c_.k22 * e418 + e172;
+        const Scalar e437 = p_.m_6 * e409 - c_.k19 * e418 + e172;
         const Scalar e438 = cos_q_5 * e436 - sin_q_5 * e437;
-        const Scalar e439 = p_.m_4 * e397 - c_.k88 * e391 + e148 + e438;
+        const Scalar e439 = p_.m_4 * e397 - c_.k79 * e391 + e148 + e438;
         const Scalar e440 = e143 * e439;
         const Scalar e441 = -sin_q_6 * e432 - cos_q_6 * e434;
-        const Scalar e442 = c_.k88 * e389 + p_.m_4 * e399 + e190 - e441;
+        const Scalar e442 = c_.k79 * e389 + p_.m_4 * e399 + e190 - e441;
         const Scalar e443 = e186 * e442;
-        const Scalar e444 = c_.k75 * e374 + c_.k76 * e376 + c_.k77 * e385 + e14 + (e428 - e431 - e440 - e443);
+        const Scalar e444 = c_.k66 * e374 + c_.k67 * e376 + c_.k68 * e385 + e14 + (e428 - e431 - e440 - e443);
         const Scalar e445 = sin_q_3 * e444;
         const Scalar e446 = sin_q_5 * e424;
         const Scalar e447 = cos_q_5 * e425;
-        const Scalar e448 = c_.k76 * e374 + c_.k78 * e376 + c_.k79 * e385 + e263
-            + (c_.k23 * e402 + (e446 + e447) + e241 * e439 + e242 * e442);
+        const Scalar e448 = c_.k67 * e374 + c_.k69 * e376 + c_.k70 * e385 + e263
+            + (c_.k21 * e402 + (e446 + e447) + e241 * e439 + e242 * e442);
         const Scalar e449 = cos_q_3 * e448;
         const Scalar e450 = cos_q_4 * e439;
         const Scalar e451 = sin_q_4 * e442;
-        const Scalar e452 = c_.k77 * e387 + p_.m_3 * e382 + e280 + (e450 - e451);
+        const Scalar e452 = c_.k68 * e387 + p_.m_3 * e382 + e280 + (e450 - e451);
         const Scalar e453 = e289 * e452;
         const Scalar e454 = sin_q_5 * e436;
         const Scalar e455 = cos_q_5 * e437;
-        const Scalar e456 = c_.k79 * e387 + p_.m_3 * e384 + e293 + (p_.m_4 * e400 + e231 + (e454 + e455));
+        const Scalar e456 = c_.k70 * e387 + p_.m_3 * e384 + e293 + (p_.m_4 * e400 + e231 + (e454 + e455));
         const Scalar e457 = e271 * e456;
         const Scalar e458 = -sin_q_4 * e439 - cos_q_4 * e442;
         const Scalar e459 = cos_q_3 * e444 - sin_q_3 * e448 - e271 * e452 - e289 * e456;
-        const Scalar e460 = p_.a_2 * (-c_.k77 * e374 - c_.k79 * e376 - p_.m_3 * e385 + e342 + e458);
-        const Scalar e461 = c_.k69 * e367 - c_.k68 * e369 + e341 + (e445 + e449 + e453 - e457 - e460);
-        const Scalar e462 = cos_q_2 * (c_.k67 * e365 - c_.k9 * q_2_ddot + c_.k68 * e371 - e299 + e459);
+        const Scalar e460 = p_.a_2 * (-c_.k68 * e374 - c_.k70 * e376 - p_.m_3 * e385 + e342 + e458);
+        const Scalar e461 = c_.k60 * e367 - c_.k59 * e369 + e341 + (e445 + e449 + e453 - e457 - e460);
+        const Scalar e462 = cos_q_2 * (c_.k58 * e365 - c_.k7 * q_2_ddot + c_.k59 * e371 - e299 + e459);
         const Scalar e463 = sin_q_2 * e461 - e462;
-        const Scalar e464 = c_.k9 * e3;
-        const Scalar e465 = c_.k72 * e3;
+        const Scalar e464 = c_.k7 * e3;
+        const Scalar e465 = c_.k63 * e3;
         const Scalar e466 = e457 - e445 - e449 - e453;
-        const Scalar e467 = c_.k76 * e11;
+        const Scalar e467 = c_.k67 * e11;
         const Scalar e468 = -e467 - e227;
-        const Scalar e469 = c_.k81 * e11 + c_.k77 * e9;
+        const Scalar e469 = c_.k72 * e11 + c_.k68 * e9;
         const Scalar e470 = e143 * e442 - sin_q_4 * e427 - cos_q_4 * e430 - e186 * e439;
-        const Scalar e471 = c_.k89 * e15;
-        const Scalar e472 = c_.k88 * e15;
+        const Scalar e471 = c_.k80 * e15;
+        const Scalar e472 = c_.k79 * e15;
         const Scalar e473 = -e446 - e447;
-        const Scalar e474 = c_.k28 * e40;
+        const Scalar e474 = c_.k26 * e40;
         const Scalar e475 = e60 - e474;
-        const Scalar e476 = -c_.k91 * e40 - c_.k21 * e37;
-        const Scalar e477 = c_.k27 * e40 - c_.k22 * e31;
+        const Scalar e476 = -c_.k82 * e40 - c_.k20 * e37;
+        const Scalar e477 = c_.k25 * e40 - c_.k19 * e31;
         const Scalar e478 = e474 + e61;
         const Scalar e479 = q_6_dot * sin_q_6;
         const Scalar e480 = q_6_dot * cos_q_6;
         const Scalar e481 = e65 + (-e419 - e420);
-        const Scalar e482 = c_.k94 * e29 - c_.k22 * e56 - e54;
-        const Scalar e483 = -c_.k93 * e29 - c_.k94 * e33 - c_.k21 * e56;
+        const Scalar e482 = c_.k85 * e29 - c_.k19 * e56 - e54;
+        const Scalar e483 = -c_.k84 * e29 - c_.k85 * e33 - c_.k20 * e56;
         const Scalar e484 = e50 + (e412 - e410);
         const Scalar e485 = e423 - e417;
         const Scalar e486 = q_5_dot * cos_q_5;
@@ -1280,20 +1250,20 @@ public:
         const Scalar e498 = p_.m_4 * e15;
         const Scalar e499 = p_.m_4 * e21;
         const Scalar e500 = -e454 - e455;
-        const Scalar e501 = e155 - c_.k96 * e40;
-        const Scalar e502 = e149 - c_.k96 * e33 - e151;
+        const Scalar e501 = e155 - c_.k87 * e40;
+        const Scalar e502 = e149 - c_.k87 * e33 - e151;
         const Scalar e503 = p_.m_6 * e33;
         const Scalar e504 = p_.m_6 * e40;
         const Scalar e505 = p_.m_6 * e29;
-        const Scalar e506 = e152 - c_.k95 * e29;
-        const Scalar e507 = -c_.k95 * e40 - e170;
+        const Scalar e506 = e152 - c_.k86 * e29;
+        const Scalar e507 = -c_.k86 * e40 - e170;
         const Scalar e508 = p_.m_4 * e23;
         const Scalar e509 = e435 - e433;
-        const Scalar e510 = c_.k84 * e4 - c_.k79 * e17 + e223;
-        const Scalar e511 = c_.k83 * e4 - c_.k84 * e8 + c_.k77 * e17;
+        const Scalar e510 = c_.k75 * e4 - c_.k70 * e17 + e223;
+        const Scalar e511 = c_.k74 * e4 - c_.k75 * e8 + c_.k68 * e17;
         const Scalar e512 = e431 - e428 + e440 + e443;
-        const Scalar e513 = c_.k90 * e23 + e146;
-        const Scalar e514 = c_.k90 * e21 - e188;
+        const Scalar e513 = c_.k81 * e23 + e146;
+        const Scalar e514 = c_.k81 * e21 - e188;
         const Scalar e515 = e251 + e375;
         const Scalar e516 = e253 + (-e372 - e373);
         const Scalar e517 = p_.d_3 * e249;
@@ -1302,24 +1272,24 @@ public:
         const Scalar e520 = e259 + e383;
         const Scalar e521 = p_.a_2 * e250;
         const Scalar e522 = e256 + (e378 - e377 - e379 + e380 + e381);
-        const Scalar e523 = -c_.k82 * e11 - c_.k79 * e7;
+        const Scalar e523 = -c_.k73 * e11 - c_.k70 * e7;
         const Scalar e524 = e467 + e228;
         const Scalar e525 = e242 * e439 - e241 * e442;
-        const Scalar e526 = e276 - c_.k86 * e8 - e278;
-        const Scalar e527 = -c_.k86 * e11 - e273;
+        const Scalar e526 = e276 - c_.k77 * e8 - e278;
+        const Scalar e527 = -c_.k77 * e11 - e273;
         const Scalar e528 = p_.m_3 * e11;
         const Scalar e529 = p_.m_3 * e8;
-        const Scalar e530 = c_.k85 * e4 + e277;
-        const Scalar e531 = c_.k85 * e11 + e291;
+        const Scalar e530 = c_.k76 * e4 + e277;
+        const Scalar e531 = c_.k76 * e11 + e291;
         const Scalar e532 = p_.m_3 * e4;
-        const Scalar e533 = c_.k3 * e3;
+        const Scalar e533 = c_.k1 * e3;
         const Scalar e534 = e308 * e452 - e305 * e456;
         const Scalar e535 = -e339 - e366;
         const Scalar e536 = q_2_dot * cos_q_2;
         const Scalar e537 = q_2_dot * sin_q_2;
         const Scalar e538 = e327 + e364;
-        const Scalar e539 = c_.k74 * e1 - e340;
-        const Scalar e540 = -c_.k73 * e1 - c_.k74 * q_2_dot;
+        const Scalar e539 = c_.k65 * e1 - e340;
+        const Scalar e540 = -c_.k64 * e1 - c_.k65 * q_2_dot;
         const Scalar e541 = e451 - e450;
         Scalar unit[23]{};  // one in its middle
         unit[11] = Scalar(1);
@@ -1362,7 +1332,7 @@ public:
             const Scalar e564 = cos_q_6 * e561 + sin_q_6 * e563 - e55 * in_column_5;
             const Scalar e565 = cos_q_5 * e555 - sin_q_5 * e554 - e34 * in_column_4;
             const Scalar e566 = e477 * e558 + e46 * e559 + e478 * e560 + e150 * e564 - e58 * e565;
-            const Scalar e567 = -c_.k55 * in_column_5 - c_.k56 * in_column_11 - e566;
+            const Scalar e567 = -c_.k51 * in_column_5 - c_.k52 * in_column_11 - e566;
             const Scalar e568 = -e479 * e556 - e480 * e557 + e418 * in_column_5 - e39 * in_column_11;
             const Scalar e569 = -e480 * e561 - e479 * e563 + e481 * in_column_5 - e37 * in_column_11;
             const Scalar e570 = e475 * e558 - e42 * e559 + e476 * e560 - e57 * e564 + e149 * e565 - e44 * e567;
@@ -1371,9 +1341,9 @@ public:
             const Scalar e573 = e479 * e557 - e480 * e556 + e484 * in_column_5 - e29 * in_column_11;
             const Scalar e574 = e480 * e563 - e479 * e561 + e414 * in_column_5 - e55 * in_column_11;
             const Scalar e575 = e482 * e558 + e62 * e559 + e483 * e560 + e154 * e564 - e59 * e572 + e169 * e565;
-            const Scalar e576 = e575 + (c_.k92 * e573 + c_.k21 * e574);
+            const Scalar e576 = e575 + (c_.k83 * e573 + c_.k20 * e574);
             const Scalar e577 = e485 * in_column_5 + (-sin_q_6 * e571 - cos_q_6 * e576);
-            const Scalar e578 = -c_.k55 * in_column_4 - c_.k56 * in_column_10 - e577;
+            const Scalar e578 = -c_.k51 * in_column_4 - c_.k52 * in_column_10 - e577;
             const Scalar e579 = e486 * e551 - e487 * e549 + e405 * in_column_4 - e32 * in_column_10;
             const Scalar e580 = -e486 * e549 - e487 * e551 + e488 * in_column_4 - e27 * in_column_10;
             const Scalar e581 = e486 * e555 - e487 * e554 + e409 * in_column_4 - e30 * in_column_10;
@@ -1383,7 +1353,7 @@ public:
             const Scalar e584 = e566 + e92 * e567 + (e77 * e568 + e93 * e569) - e94 * e578
                 + (e79 * e579 + e95 * e580 + e96 * e581 + e97 * e582);
             const Scalar e585 = e426 * in_column_4 + (sin_q_5 * e583 + cos_q_5 * e584);
-            const Scalar e586 = -c_.k55 * in_column_3 - c_.k56 * in_column_9 - e585;
+            const Scalar e586 = -c_.k51 * in_column_3 - c_.k52 * in_column_9 - e585;
             const Scalar e587 = -e113 * e544 - e114 * e546 + e490 * in_column_3 + e21 * in_column_9;
             const Scalar e588 = e113 * e546 - e114 * e544 + e491 * in_column_3 - e23 * in_column_9;
             const Scalar e589 = e492 * e545 - e493 * e544 + e494 * e546 - e113 * e547 + e114 * e552 + e495 * in_column_3;
@@ -1397,12 +1367,12 @@ public:
             const Scalar e596 = e471 * e549 - e25 * e550 + e132 * e551 + e472 * e563 - e187 * e555 - e595;
             const Scalar e597 = e596 + e137 * e586 + (e112 * e587 + e138 * e588 + e139 * e590 + e140 * e592);
             const Scalar e598 = e57 * e558 + e501 * e559 + e502 * e560 - e503 * e572 + e504 * e565
-                + (c_.k21 * e573 + p_.m_6 * e574);
+                + (c_.k20 * e573 + p_.m_6 * e574);
             const Scalar e599 = e156 * e558 + e59 * e559 + e171 * e560 + e503 * e564 - e505 * e565 + e160 * e567;
             const Scalar e600 = e599 + (e51 * e568 + e161 * e569);
             const Scalar e601 = e441 * in_column_5 + (cos_q_6 * e598 - sin_q_6 * e600) + e163 * e578
                 + (e86 * e579 + e96 * e580 + e167 * e581 - e164 * e582);
-            const Scalar e602 = e506 * e558 + e507 * e559 + e58 * e560 - e504 * e564 + e505 * e572 - c_.k22 * e573;
+            const Scalar e602 = e506 * e558 + e507 * e559 + e58 * e560 - e504 * e564 + e505 * e572 - c_.k19 * e573;
             const Scalar e603 = e602 + e173 * e578 + (e89 * e579 + e97 * e580 - e164 * e581 + e174 * e582);
             const Scalar e604 = e144 * e550 - e472 * e549 - e147 * e551 - e498 * e563 + e499 * e555 + e500 * in_column_4;
             const Scalar e605 = e604 + (cos_q_5 * e601 - sin_q_5 * e603) + e176 * e586
@@ -1486,7 +1456,7 @@ public:
             solved[2][c] = e655;
             solved[3][c] = e664;
             solved[4][c] = e669;
-            solved[5][c] = e567 * c_.k97 + e44 * (cos_q_6 * e666 - sin_q_6 * (e669 - e658) + e568) - e92 * e667 - e160
+            solved[5][c] = e567 * c_.k88 + e44 * (cos_q_6 * e666 - sin_q_6 * (e669 - e658) + e568) - e92 * e667 - e160
                 * (cos_q_6 * e662 - sin_q_6 * e668 + e569);
         }
         constexpr std::array<std::size_t, 12> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138};
@@ -1573,7 +1543,7 @@ public:
     }
 
     /// J = df/du. 12 x 6, entry (i, j) at J[12*j + i].
-    /// Operations: 271 + or -, 382 *, 6 /, 10 sin or cos
+    /// Operations: 264 + or -, 377 *, 6 /, 10 sin or cos
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar q_4 = x[3];
         Scalar sin_q_4, cos_q_4;
@@ -1584,178 +1554,178 @@ public:
         const Scalar q_3 = x[2];
         Scalar sin_q_3, cos_q_3;
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
-        const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
-        const Scalar e2 = cos_q_2 * sin_q_3;
-        const Scalar e3 = cos_q_3 * sin_q_2;
-        const Scalar e4 = e2 + e3;
-        const Scalar e5 = c_.k61 * e1 - (c_.k59 * e4 - c_.k62 * cos_q_2);
-        const Scalar e6 = c_.k60 * e1;
-        const Scalar e7 = cos_q_4 * e5 - sin_q_4 * e6;
-        const Scalar e8 = sin_q_4 * e5 + cos_q_4 * e6;
-        const Scalar e9 = e2 * e2 + e3 * e3;
-        const Scalar e10 = p_.J_5 * sin_q_4;
-        const Scalar e11 = e2 * e3;
-        const Scalar e12 = p_.d_4 * e4;
-        const Scalar e13 = c_.k66 * cos_q_2 + c_.k65 * e1 + e12;
-        const Scalar q_6 = x[5];
-        Scalar sin_q_6, cos_q_6;
-        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
+        const Scalar e1 = cos_q_2 * sin_q_3 + cos_q_3 * sin_q_2;
+        const Scalar e2 = cos_q_4 * e1;
+        const Scalar e3 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
+        const Scalar e4 = p_.d_3 * e3;
+        const Scalar e5 = p_.d_4 * e1;
+        const Scalar e6 = p_.a_2 * cos_q_2 + p_.a_3 * e3 - e5;
+        const Scalar e7 = sin_q_4 * e4 - cos_q_4 * e6;
+        const Scalar e8 = p_.d_4 * e2 - Scalar(5) * e7;
+        const Scalar e9 = sin_q_4 * e6 + cos_q_4 * e4;
+        const Scalar e10 = sin_q_4 * e1;
+        const Scalar e11 = Scalar(5) * e9 + p_.d_4 * e10;
+        const Scalar e12 = c_.k56 * cos_q_2 + c_.k57 * e3 + e5;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
-        const Scalar e14 = cos_q_5 * sin_q_4;
-        const Scalar e15 = cos_q_4 * cos_q_6 - sin_q_6 * e14;
-        const Scalar e16 = p_.a_3 * e1 + (p_.a_2 * cos_q_2 - e12);
-        const Scalar e17 = cos_q_4 * sin_q_5;
-        const Scalar e18 = e4 * e17 - cos_q_5 * e1;
-        const Scalar e19 = cos_q_4 * cos_q_5;
-        const Scalar e20 = cos_q_6 * e19 - sin_q_4 * sin_q_6;
-        const Scalar e21 = cos_q_6 * sin_q_5;
-        const Scalar e22 = e4 * e20 + e1 * e21;
-        const Scalar e23 = sin_q_5 * sin_q_6;
-        const Scalar e24 = p_.d_3 * e4;
-        const Scalar e25 = cos_q_6 * sin_q_4 + sin_q_6 * e19;
-        const Scalar e26 = p_.d_3 * e1;
-        const Scalar e27 = e15 * e16 - p_.c_x * e18 - p_.c_z * e22 + e23 * e24 - e25 * e26;
-        const Scalar e28 = p_.m_6 * e27;
-        const Scalar e29 = cos_q_4 * sin_q_6 + cos_q_6 * e14;
-        const Scalar e30 = e4 * e25 + e1 * e23;
-        const Scalar e31 = e29 * e16 - p_.c_z * e30 - e21 * e24 + e20 * e26;
-        const Scalar e32 = p_.m_6 * e31;
-        const Scalar e33 = sin_q_4 * sin_q_5;
-        const Scalar e34 = e33 * e16 - p_.c_x * e30 + cos_q_5 * e24 + e17 * e26;
-        const Scalar e35 = p_.m_6 * e34;
-        const Scalar e36 = -e18;
-        const Scalar e37 = c_.k2 * e36;
-        const Scalar e38 = p_.J_5 * e22;
-        const Scalar e39 = sin_q_5 * e1 + e4 * e19;
-        const Scalar e40 = p_.J_5 * e39;
-        const Scalar e41 = c_.k2 * e30;
-        const Scalar e42 = c_.k6 * (e7 * e7 + e8 * e8) + sin_q_4 * (e9 * e10 + c_.k2 * sin_q_4 * e11) + c_.k0 + c_.k3 * cos_q_2
-            * cos_q_2 + c_.k5 * e13 * e13 + c_.k7 * e1 * e1 + c_.k8 * e4 * e4 + c_.k4 * e9 + e27 * e28 + e31 * e32 + e34 * e35
-            + e36 * e37 + e22 * e38 + e39 * e40 + e30 * e41 + c_.k1 * e11;
-        const Scalar inverse_43 = Scalar(1) / e42;
-        const Scalar e44 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e45 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e46 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e47 = p_.c_x * e33 + p_.c_z * e29;
-        const Scalar e48 = e23 * e44 + e25 * e46 - e47;
-        const Scalar e49 = p_.c_z * e15;
-        const Scalar e50 = e20 * e46 + e44 * e21 - e49;
-        const Scalar e51 = p_.c_x * e15;
-        const Scalar e52 = cos_q_5 * e44 - e46 * e17 + e51;
-        const Scalar e53 = p_.J_5 * e29;
-        const Scalar e54 = c_.k2 * e15;
-        const Scalar e55 = (cos_q_4 * e4 - cos_q_5 * e39) * e10 + e33 * e37 - (e22 * e53 - e30 * e54);
-        const Scalar e56 = cos_q_4 * e8 - sin_q_4 * e7;
-        const Scalar e57 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e58 = c_.k6 * e57;
-        const Scalar e59 = c_.k9 * sin_q_2 + c_.k10 * e44 * e4 - c_.k11 * e45 * e1 + e48 * e28 - e50 * e32 + e52 * e35 - e55
-            - e56 * e58;
-        const Scalar e60 = e59 * inverse_43;
-        const Scalar e61 = -e60;
-        const Scalar e62 = p_.J_5 * e33;
-        const Scalar e63 = e29 * e53 + (e15 * e54 + e33 * e62);
-        const Scalar e64 = p_.m_6 * e48;
-        const Scalar e65 = p_.m_6 * e52;
-        const Scalar e66 = p_.m_6 * e50;
-        const Scalar e67 = c_.k12 + c_.k13 * e44 * e44 + c_.k5 * e45 * e45 + e63 + e48 * e64 + e57 * e58 + e52 * e65 + e50
-            * e66;
-        const Scalar inverse_68 = Scalar(1) / (e67 - e59 * e60);
-        const Scalar e69 = p_.a_3 * e23 - p_.d_4 * e25 - e47;
-        const Scalar e70 = p_.a_3 * cos_q_5 + p_.d_4 * e17 + e51;
-        const Scalar e71 = p_.a_3 * e21 - p_.d_4 * e20 - e49;
-        const Scalar e72 = c_.k16 * e4 - c_.k15 * e1 + c_.k14 * e56 + e69 * e28 - e71 * e32 + e70 * e35 - e55;
-        const Scalar e73 = c_.k17 + c_.k18 * e44 - c_.k14 * e57 + c_.k19 * e45 + e63 + e69 * e64 + e70 * e65 + e71 * e66;
-        const Scalar e74 = e73 - e72 * e60;
-        const Scalar e75 = e74 * inverse_68;
-        const Scalar e76 = e72 * inverse_43;
-        const Scalar e77 = -e76 - e75 * e61;
-        const Scalar e78 = p_.m_6 * e69;
-        const Scalar e79 = p_.m_6 * (e70 * e70 + e71 * e71) + c_.k20 + e63 + e69 * e78 - e72 * e76 - e74 * e75;
-        const Scalar inverse_80 = Scalar(1) / e79;
-        const Scalar e81 = cos_q_5 * e62 - e53 * e21;
-        const Scalar e82 = e54 - (c_.k21 * e71 - c_.k22 * e70);
-        const Scalar e83 = p_.c_x * cos_q_5 - p_.c_z * e21;
-        const Scalar e84 = e41 - (c_.k21 * e31 + c_.k22 * e34);
-        const Scalar e85 = -c_.k23 * e1 - e23 * e84 - e83 * e28 - cos_q_5 * e37 - e21 * e38 - sin_q_5 * e40;
-        const Scalar e86 = e54 - (c_.k21 * e50 - c_.k22 * e52);
-        const Scalar e87 = e81 + e23 * e86 - e83 * e64 - e85 * e60;
-        const Scalar e88 = e81 + e23 * e82 - e83 * e78 - e85 * e76 - e87 * e75;
-        const Scalar e89 = e88 * inverse_80;
-        const Scalar e90 = e85 * inverse_43;
-        const Scalar e91 = e87 * inverse_68;
-        const Scalar e92 = -e90 - e91 * e61 - e89 * e77;
-        const Scalar e93 = c_.k25 * e23;
-        const Scalar e94 = c_.k24 + p_.m_6 * e83 * e83 + e23 * e93 - e85 * e90 - e87 * e91 - e88 * e89;
+        const Scalar e13 = sin_q_5 * e2 - cos_q_5 * e3;
+        const Scalar q_6 = x[5];
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
+        const Scalar e14 = sin_q_5 * e3 + cos_q_5 * e2;
+        const Scalar e15 = cos_q_6 * e14 - sin_q_6 * e10;
+        const Scalar e16 = p_.d_3 * e1;
+        const Scalar e17 = sin_q_5 * e16 - cos_q_5 * e9;
+        const Scalar e18 = p_.c_x * e13 + p_.c_z * e15 + (cos_q_6 * e7 - sin_q_6 * e17);
+        const Scalar e19 = p_.m_6 * e18;
+        const Scalar e20 = p_.J_5 * e15;
+        const Scalar e21 = sin_q_6 * e14 + cos_q_6 * e10;
+        const Scalar e22 = p_.c_x * e21 - (sin_q_5 * e9 + cos_q_5 * e16);
+        const Scalar e23 = p_.m_6 * e22;
+        const Scalar e24 = p_.c_z * e21 + (cos_q_6 * e17 + sin_q_6 * e7);
+        const Scalar e25 = p_.m_6 * e24;
+        const Scalar e26 = p_.J_5 * e14;
+        const Scalar e27 = c_.k5 * e13;
+        const Scalar e28 = c_.k5 * e21;
+        const Scalar e29 = p_.J_5 * sin_q_4;
+        const Scalar e30 = e1 * e29;
+        const Scalar e31 = c_.k6 * (e8 * e8 + e11 * e11) + c_.k0 + c_.k1 * cos_q_2 * cos_q_2 + c_.k2 * e3 * e3 + c_.k3 * e1
+            * e1 + c_.k4 * e12 * e12 + e18 * e19 + e15 * e20 + e22 * e23 + e24 * e25 + e14 * e26 + e13 * e27 + e21 * e28 + e10
+            * e30;
+        const Scalar inverse_32 = Scalar(1) / e31;
+        const Scalar e33 = p_.a_3 + p_.a_2 * cos_q_3;
+        const Scalar e34 = p_.d_4 + c_.k56 * sin_q_3;
+        const Scalar e35 = cos_q_6 * sin_q_4;
+        const Scalar e36 = cos_q_4 * sin_q_6 + cos_q_5 * e35;
+        const Scalar e37 = sin_q_4 * sin_q_5;
+        const Scalar e38 = p_.c_z * e36 + p_.c_x * e37;
+        const Scalar e39 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e40 = cos_q_4 * e39;
+        const Scalar e41 = sin_q_5 * e33 + cos_q_5 * e40;
+        const Scalar e42 = e38 - (sin_q_6 * e41 + e39 * e35);
+        const Scalar e43 = sin_q_4 * sin_q_6;
+        const Scalar e44 = cos_q_4 * cos_q_6 - cos_q_5 * e43;
+        const Scalar e45 = p_.J_5 * e36;
+        const Scalar e46 = e29 * (e2 - cos_q_5 * e14) - (c_.k5 * (e13 * e37 - e44 * e21) + e15 * e45);
+        const Scalar e47 = p_.c_x * e44;
+        const Scalar e48 = e47 - (sin_q_5 * e40 - cos_q_5 * e33);
+        const Scalar e49 = p_.c_z * e44;
+        const Scalar e50 = e49 - (cos_q_6 * e41 - e39 * e43);
+        const Scalar e51 = cos_q_4 * e11 - sin_q_4 * e8;
+        const Scalar e52 = p_.d_4 + Scalar(5) * e39;
+        const Scalar e53 = c_.k6 * e52;
+        const Scalar e54 = c_.k7 * sin_q_2 + c_.k8 * e33 * e1 - c_.k9 * e34 * e3 + e42 * e19 - e46 - e48 * e23 - e50 * e25
+            - e51 * e53;
+        const Scalar e55 = e54 * inverse_32;
+        const Scalar e56 = -e55;
+        const Scalar e57 = c_.k5 * e44;
+        const Scalar e58 = sin_q_5 * e29;
+        const Scalar e59 = e36 * e45 + (e44 * e57 + e37 * e58);
+        const Scalar e60 = p_.m_6 * e42;
+        const Scalar e61 = p_.m_6 * e48;
+        const Scalar e62 = p_.m_6 * e50;
+        const Scalar e63 = c_.k10 + c_.k11 * e33 * e33 + c_.k4 * e34 * e34 + e59 + e42 * e60 + e52 * e53 + e48 * e61 + e50
+            * e62;
+        const Scalar inverse_64 = Scalar(1) / (e63 - e54 * e55);
+        const Scalar e65 = p_.d_4 * cos_q_4;
+        const Scalar e66 = p_.a_3 * sin_q_5 - cos_q_5 * e65;
+        const Scalar e67 = p_.d_4 * e35 - sin_q_6 * e66 + e38;
+        const Scalar e68 = p_.a_3 * cos_q_5 + sin_q_5 * e65 + e47;
+        const Scalar e69 = e49 - (cos_q_6 * e66 + p_.d_4 * e43);
+        const Scalar e70 = c_.k14 * e1 - c_.k13 * e3 + c_.k12 * e51 + e67 * e19 - e46 - e68 * e23 - e69 * e25;
+        const Scalar e71 = c_.k15 + c_.k16 * e33 + c_.k17 * e34 - c_.k12 * e52 + e59 + e67 * e60 + e68 * e61 + e69 * e62;
+        const Scalar e72 = e71 - e70 * e55;
+        const Scalar e73 = e72 * inverse_64;
+        const Scalar e74 = e70 * inverse_32;
+        const Scalar e75 = -e74 - e73 * e56;
+        const Scalar e76 = p_.m_6 * e67;
+        const Scalar e77 = p_.m_6 * (e68 * e68 + e69 * e69) + c_.k18 + e59 + e67 * e76 - e70 * e74 - e72 * e73;
+        const Scalar inverse_78 = Scalar(1) / e77;
+        const Scalar e79 = sin_q_5 * sin_q_6;
+        const Scalar e80 = c_.k20 * e69 + (c_.k19 * e68 + e57);
+        const Scalar e81 = cos_q_6 * sin_q_5;
+        const Scalar e82 = p_.c_x * cos_q_5 - p_.c_z * e81;
+        const Scalar e83 = sin_q_5 * (cos_q_5 * e29 - cos_q_6 * e45);
+        const Scalar e84 = c_.k20 * e24 + (c_.k19 * e22 + e28);
+        const Scalar e85 = e82 * e19 - c_.k21 * e3 - e79 * e84 - sin_q_5 * e26 + cos_q_5 * e27 - e20 * e81;
+        const Scalar e86 = c_.k20 * e50 + (c_.k19 * e48 + e57);
+        const Scalar e87 = e79 * e86 + e82 * e60 + e83 - e85 * e55;
+        const Scalar e88 = e79 * e80 + e82 * e76 + e83 - e85 * e74 - e87 * e73;
+        const Scalar e89 = e88 * inverse_78;
+        const Scalar e90 = e85 * inverse_32;
+        const Scalar e91 = e87 * inverse_64;
+        const Scalar e92 = -e90 - e91 * e56 - e89 * e75;
+        const Scalar e93 = c_.k23 * e79;
+        const Scalar e94 = c_.k22 + p_.m_6 * e82 * e82 + e79 * e93 - e85 * e90 - e87 * e91 - e88 * e89;
         const Scalar inverse_95 = Scalar(1) / e94;
-        const Scalar e96 = c_.k21 * sin_q_6;
-        const Scalar e97 = sin_q_6 * e38 - cos_q_6 * e84 - e27 * e96 - e4 * e10;
-        const Scalar e98 = p_.J_5 * cos_q_4 + sin_q_6 * e53;
-        const Scalar e99 = e98 + cos_q_6 * e86 - e48 * e96 - e97 * e60;
-        const Scalar e100 = e98 + cos_q_6 * e82 - e69 * e96 - e97 * e76 - e99 * e75;
-        const Scalar e101 = e83 * e96 + cos_q_6 * e93 - e97 * e90 - e99 * e91 - e100 * e89;
+        const Scalar e96 = c_.k20 * sin_q_6;
+        const Scalar e97 = e18 * e96 - cos_q_6 * e84 + sin_q_6 * e20 - e30;
+        const Scalar e98 = p_.J_5 * cos_q_4 + sin_q_6 * e45;
+        const Scalar e99 = cos_q_6 * e86 + e98 + e42 * e96 - e97 * e55;
+        const Scalar e100 = cos_q_6 * e80 + e98 + e67 * e96 - e97 * e74 - e99 * e73;
+        const Scalar e101 = e82 * e96 + cos_q_6 * e93 - e97 * e90 - e99 * e91 - e100 * e89;
         const Scalar e102 = e101 * inverse_95;
-        const Scalar e103 = e97 * inverse_43;
-        const Scalar e104 = e99 * inverse_68;
-        const Scalar e105 = e100 * inverse_80;
-        const Scalar e106 = -e103 - e104 * e61 - e105 * e77 - e102 * e92;
-        const Scalar e107 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e97 * e103 - e99 * e104 - e100 * e105 - e101 * e102;
+        const Scalar e103 = e97 * inverse_32;
+        const Scalar e104 = e99 * inverse_64;
+        const Scalar e105 = e100 * inverse_78;
+        const Scalar e106 = -e103 - e104 * e56 - e105 * e75 - e102 * e92;
+        const Scalar e107 = c_.k24 + c_.k25 * cos_q_6 * cos_q_6 - e97 * e103 - e99 * e104 - e100 * e105 - e101 * e102;
         const Scalar inverse_108 = Scalar(1) / e107;
-        const Scalar e109 = -c_.k22 * e27 - p_.J_5 * e36;
-        const Scalar e110 = e62 - c_.k22 * e48 - e109 * e60;
-        const Scalar e111 = e62 - c_.k22 * e69 - e109 * e76 - e110 * e75;
-        const Scalar e112 = p_.J_5 * cos_q_5 + c_.k22 * e83 - e109 * e90 - e110 * e91 - e111 * e89;
-        const Scalar e113 = c_.k28 * sin_q_6 - e109 * e103 - e110 * e104 - e111 * e105 - e112 * e102;
+        const Scalar e109 = p_.J_5 * e13 + c_.k19 * e18;
+        const Scalar e110 = c_.k19 * e42 + e58 - e109 * e55;
+        const Scalar e111 = c_.k19 * e67 + e58 - e109 * e74 - e110 * e73;
+        const Scalar e112 = p_.J_5 * cos_q_5 + c_.k19 * e82 - e109 * e90 - e110 * e91 - e111 * e89;
+        const Scalar e113 = c_.k26 * sin_q_6 - e109 * e103 - e110 * e104 - e111 * e105 - e112 * e102;
         const Scalar e114 = e113 * inverse_108;
-        const Scalar e115 = e109 * inverse_43;
-        const Scalar e116 = e110 * inverse_68;
-        const Scalar e117 = e111 * inverse_80;
+        const Scalar e115 = e109 * inverse_32;
+        const Scalar e116 = e110 * inverse_64;
+        const Scalar e117 = e111 * inverse_78;
         const Scalar e118 = e112 * inverse_95;
-        const Scalar e119 = c_.k27 - e109 * e115 - e110 * e116 - e111 * e117 - e112 * e118 - e113 * e114;
+        const Scalar e119 = c_.k25 - e109 * e115 - e110 * e116 - e111 * e117 - e112 * e118 - e113 * e114;
         const Scalar inverse_120 = Scalar(1) / e119;
-        const Scalar e121 = (-e115 - e116 * e61 - e117 * e77 - e118 * e92 - e114 * e106) * inverse_120;
+        const Scalar e121 = (-e115 - e116 * e56 - e117 * e75 - e118 * e92 - e114 * e106) * inverse_120;
         const Scalar e122 = e106 * inverse_108 - e114 * e121;
         const Scalar e123 = e92 * inverse_95 - e102 * e122 - e118 * e121;
-        const Scalar e124 = e77 * inverse_80 - e89 * e123 - e105 * e122 - e117 * e121;
-        const Scalar e125 = e61 * inverse_68 - e75 * e124 - e91 * e123 - e104 * e122 - e116 * e121;
-        const Scalar e126 = -e75;
+        const Scalar e124 = e75 * inverse_78 - e89 * e123 - e105 * e122 - e117 * e121;
+        const Scalar e125 = e56 * inverse_64 - e73 * e124 - e91 * e123 - e104 * e122 - e116 * e121;
+        const Scalar e126 = -e73;
         const Scalar e127 = -e91 - e89 * e126;
         const Scalar e128 = -e104 - e105 * e126 - e102 * e127;
         const Scalar e129 = (-e116 - e117 * e126 - e118 * e127 - e114 * e128) * inverse_120;
         const Scalar e130 = e128 * inverse_108 - e114 * e129;
         const Scalar e131 = e127 * inverse_95 - e102 * e130 - e118 * e129;
-        const Scalar e132 = e126 * inverse_80 - e89 * e131 - e105 * e130 - e117 * e129;
-        const Scalar e133 = inverse_68 - e75 * e132 - e91 * e131 - e104 * e130 - e116 * e129;
+        const Scalar e132 = e126 * inverse_78 - e89 * e131 - e105 * e130 - e117 * e129;
+        const Scalar e133 = inverse_64 - e73 * e132 - e91 * e131 - e104 * e130 - e116 * e129;
         const Scalar e134 = -e89;
         const Scalar e135 = -e105 - e102 * e134;
         const Scalar e136 = (-e117 - e118 * e134 - e114 * e135) * inverse_120;
         const Scalar e137 = e135 * inverse_108 - e114 * e136;
         const Scalar e138 = e134 * inverse_95 - e102 * e137 - e118 * e136;
-        const Scalar e139 = inverse_80 - e89 * e138 - e105 * e137 - e117 * e136;
-        const Scalar e140 = -e75 * e139 - e91 * e138 - e104 * e137 - e116 * e136;
+        const Scalar e139 = inverse_78 - e89 * e138 - e105 * e137 - e117 * e136;
+        const Scalar e140 = -e73 * e139 - e91 * e138 - e104 * e137 - e116 * e136;
         const Scalar e141 = -e102;
         const Scalar e142 = (-e118 - e114 * e141) * inverse_120;
         const Scalar e143 = e141 * inverse_108 - e114 * e142;
         const Scalar e144 = inverse_95 - e102 * e143 - e118 * e142;
         const Scalar e145 = -e89 * e144 - e105 * e143 - e117 * e142;
-        const Scalar e146 = -e75 * e145 - e91 * e144 - e104 * e143 - e116 * e142;
+        const Scalar e146 = -e73 * e145 - e91 * e144 - e104 * e143 - e116 * e142;
         const Scalar e147 = (-e114) * inverse_120;
         const Scalar e148 = inverse_108 - e114 * e147;
         const Scalar e149 = -e102 * e148 - e118 * e147;
         const Scalar e150 = -e89 * e149 - e105 * e148 - e117 * e147;
-        const Scalar e151 = -e75 * e150 - e91 * e149 - e104 * e148 - e116 * e147;
+        const Scalar e151 = -e73 * e150 - e91 * e149 - e104 * e148 - e116 * e147;
         const Scalar e152 = -e114 * inverse_120;
         const Scalar e153 = -e102 * e152 - e118 * inverse_120;
         const Scalar e154 = -e89 * e153 - e105 * e152 - e117 * inverse_120;
-        const Scalar e155 = -e75 * e154 - e91 * e153 - e104 * e152 - e116 * inverse_120;
+        const Scalar e155 = -e73 * e154 - e91 * e153 - e104 * e152 - e116 * inverse_120;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = inverse_43 - e60 * e125 - e76 * e124 - e90 * e123 - e103 * e122 - e115 * e121;
+        J[6] = inverse_32 - e55 * e125 - e74 * e124 - e90 * e123 - e103 * e122 - e115 * e121;
         J[7] = e125;
         J[8] = e124;
         J[9] = e123;
@@ -1767,7 +1737,7 @@ public:
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = -e60 * e133 - e76 * e132 - e90 * e131 - e103 * e130 - e115 * e129;
+        J[18] = -e55 * e133 - e74 * e132 - e90 * e131 - e103 * e130 - e115 * e129;
         J[19] = e133;
         J[20] = e132;
         J[21] = e131;
@@ -1779,7 +1749,7 @@ public:
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = -e60 * e140 - e76 * e139 - e90 * e138 - e103 * e137 - e115 * e136;
+        J[30] = -e55 * e140 - e74 * e139 - e90 * e138 - e103 * e137 - e115 * e136;
         J[31] = e140;
         J[32] = e139;
         J[33] = e138;
@@ -1791,7 +1761,7 @@ public:
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = -e60 * e146 - e76 * e145 - e90 * e144 - e103 * e143 - e115 * e142;
+        J[42] = -e55 * e146 - e74 * e145 - e90 * e144 - e103 * e143 - e115 * e142;
         J[43] = e146;
         J[44] = e145;
         J[45] = e144;
@@ -1803,7 +1773,7 @@ public:
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = -e60 * e151 - e76 * e150 - e90 * e149 - e103 * e148 - e115 * e147;
+        J[54] = -e55 * e151 - e74 * e150 - e90 * e149 - e103 * e148 - e115 * e147;
         J[55] = e151;
         J[56] = e150;
         J[57] = e149;
@@ -1815,7 +1785,7 @@ public:
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = -e60 * e155 - e76 * e154 - e90 * e153 - e103 * e152 - e115 * inverse_120;
+        J[66] = -e55 * e155 - e74 * e154 - e90 * e153 - e103 * e152 - e115 * inverse_120;
         J[67] = e155;
         J[68] = e154;
         J[69] = e153;
@@ -1824,1473 +1794,1293 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 12 x 16, entry (i, j) at J[12*j + i].
-    /// Operations: 2165 + or -, 2679 *, 6 /, 10 sin or cos
+    /// Operations: 1879 + or -, 2430 *, 6 /, 10 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         State dxdt;
         rhs(x, u, t, dxdt);
-        const Scalar q_2 = x[1];
-        Scalar sin_q_2, cos_q_2;
-        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
-        const Scalar q_4 = x[3];
-        Scalar sin_q_4, cos_q_4;
-        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
-        const Scalar e1 = cos_q_2 * cos_q_4;
-        const Scalar q_6 = x[5];
-        Scalar sin_q_6, cos_q_6;
-        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
-        const Scalar e2 = c_.k22 * cos_q_6;
-        const Scalar e3 = dxdt[11] * e2;
-        const Scalar e4 = p_.m_6 * p_.g;
+        const Scalar q_3_dot = x[8];
+        const Scalar q_2_dot = x[7];
         const Scalar q_3 = x[2];
         Scalar sin_q_3, cos_q_3;
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
-        const Scalar e5 = cos_q_3 * sin_q_2;
-        const Scalar e6 = cos_q_2 * sin_q_3;
-        const Scalar e7 = e5 + e6;
-        const Scalar e8 = sin_q_4 * e7;
-        const Scalar e9 = e4 * e8;
+        const Scalar e1 = q_2_dot * cos_q_3;
+        const Scalar e2 = q_3_dot * e1;
+        const Scalar q_2 = x[1];
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
+        const Scalar e3 = cos_q_2 * cos_q_3;
+        const Scalar e4 = sin_q_2 * sin_q_3;
+        const Scalar e5 = e3 - e4;
+        const Scalar e6 = p_.d_3 * p_.m_3;
+        const Scalar e7 = e5 * e6;
+        const Scalar q_4 = x[3];
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
+        const Scalar e8 = cos_q_3 * sin_q_2;
+        const Scalar e9 = cos_q_2 * sin_q_3;
+        const Scalar e10 = e8 + e9;
+        const Scalar e11 = p_.d_4 * e10;
+        const Scalar e12 = p_.a_2 * cos_q_2 + p_.a_3 * e5 - e11;
+        const Scalar e13 = p_.d_3 * e5;
+        const Scalar e14 = sin_q_4 * e12 + cos_q_4 * e13;
+        const Scalar e15 = sin_q_4 * e10;
+        const Scalar e16 = Scalar(5) * e14 + p_.d_4 * e15;
+        const Scalar e17 = c_.k42 * cos_q_4;
+        const Scalar e18 = e16 * e17;
+        const Scalar e19 = cos_q_4 * e10;
+        const Scalar e20 = sin_q_4 * e13 - cos_q_4 * e12;
+        const Scalar e21 = p_.d_4 * e19 - Scalar(5) * e20;
+        const Scalar e22 = c_.k42 * sin_q_4;
+        const Scalar e23 = e21 * e22;
+        const Scalar q_6 = x[5];
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
-        const Scalar q_1_dot = x[6];
-        const Scalar e10 = q_1_dot * e7;
-        const Scalar q_2_dot = x[7];
-        const Scalar q_3_dot = x[8];
-        const Scalar e11 = q_2_dot + q_3_dot;
-        const Scalar e12 = sin_q_4 * e11;
-        const Scalar e13 = cos_q_4 * e10 + e12;
-        const Scalar e14 = cos_q_2 * cos_q_3;
-        const Scalar e15 = sin_q_2 * sin_q_3;
-        const Scalar e16 = e14 - e15;
-        const Scalar e17 = q_1_dot * e16;
-        const Scalar q_4_dot = x[9];
-        const Scalar e18 = e17 - q_4_dot;
-        const Scalar e19 = cos_q_5 * e13 + sin_q_5 * e18;
+        const Scalar e24 = sin_q_5 * e5 + cos_q_5 * e19;
+        const Scalar e25 = cos_q_6 * sin_q_4;
+        const Scalar e26 = sin_q_6 * e24 + e10 * e25;
+        const Scalar e27 = p_.d_3 * e10;
+        const Scalar e28 = sin_q_5 * e14 + cos_q_5 * e27;
+        const Scalar e29 = p_.c_x * e26 - e28;
+        const Scalar e30 = p_.m_6 * sin_q_5;
+        const Scalar e31 = cos_q_4 * e30;
+        const Scalar e32 = e29 * e31;
+        const Scalar e33 = cos_q_4 * sin_q_5;
+        const Scalar e34 = e10 * e33 - cos_q_5 * e5;
+        const Scalar e35 = sin_q_4 * sin_q_6;
+        const Scalar e36 = cos_q_6 * e24 - e10 * e35;
+        const Scalar e37 = sin_q_5 * e27 - cos_q_5 * e14;
+        const Scalar e38 = cos_q_6 * e20 - sin_q_6 * e37;
+        const Scalar e39 = p_.c_x * e34 + p_.c_z * e36 + e38;
+        const Scalar e40 = p_.m_6 * e25;
+        const Scalar e41 = e39 * e40;
+        const Scalar e42 = p_.m_6 * cos_q_5;
+        const Scalar e43 = cos_q_4 * sin_q_6;
+        const Scalar e44 = e42 * e43;
+        const Scalar e45 = e39 * e44;
+        const Scalar e46 = cos_q_6 * e37 + sin_q_6 * e20;
+        const Scalar e47 = p_.c_z * e26 + e46;
+        const Scalar e48 = cos_q_4 * cos_q_6;
+        const Scalar e49 = e42 * e48;
+        const Scalar e50 = e47 * e49;
+        const Scalar e51 = p_.m_6 * e47;
+        const Scalar e52 = e35 * e51;
+        const Scalar e53 = e7 + e18 - e23 - e32 + e41 + e45 - e50 + e52;
+        const Scalar e54 = dxdt[7] * sin_q_3;
+        const Scalar e55 = q_2_dot * sin_q_3;
+        const Scalar e56 = e47 * e48;
         const Scalar q_5_dot = x[10];
-        const Scalar e20 = cos_q_4 * e11;
-        const Scalar e21 = e20 - sin_q_4 * e10;
-        const Scalar e22 = q_5_dot + e21;
-        const Scalar e23 = cos_q_6 * e19 + sin_q_6 * e22;
-        const Scalar e24 = q_1_dot * e6;
-        const Scalar e25 = q_1_dot * sin_q_2;
-        const Scalar e26 = p_.a_2 * q_2_dot + p_.d_3 * e25;
-        const Scalar e27 = cos_q_3 * e26;
-        const Scalar e28 = p_.a_3 * e11 + (p_.d_3 * e24 + e27);
-        const Scalar e29 = p_.d_4 * e11;
-        const Scalar e30 = q_1_dot * e14;
-        const Scalar e31 = sin_q_3 * e26;
-        const Scalar e32 = p_.d_3 * e30 - e31;
-        const Scalar e33 = e29 + e32;
-        const Scalar e34 = p_.a_3 * e16;
-        const Scalar e35 = p_.d_4 * e7;
-        const Scalar e36 = p_.a_2 * cos_q_2;
-        const Scalar e37 = e34 - e35 + e36;
-        const Scalar e38 = q_1_dot * e37;
-        const Scalar e39 = cos_q_4 * e33 + sin_q_4 * e38;
-        const Scalar e40 = cos_q_6 * e22 - sin_q_6 * e19;
-        const Scalar e41 = cos_q_5 * e28 + sin_q_5 * e39 + p_.c_x * e40;
+        const Scalar e57 = q_5_dot * e30;
+        const Scalar q_1_dot = x[6];
+        const Scalar e58 = q_1_dot * e5;
+        const Scalar e59 = c_.k56 * cos_q_2 + c_.k57 * e5 + e11;
+        const Scalar e60 = c_.k41 * e59;
+        const Scalar e61 = e58 * e60;
+        const Scalar q_4_dot = x[9];
+        const Scalar e62 = e58 - q_4_dot;
+        const Scalar e63 = e21 * e17;
+        const Scalar e64 = e62 * e63;
+        const Scalar e65 = e16 * e22;
+        const Scalar e66 = e62 * e65;
+        const Scalar e67 = q_2_dot + q_3_dot;
+        const Scalar e68 = q_1_dot * e10;
+        const Scalar e69 = cos_q_4 * e67 - sin_q_4 * e68;
+        const Scalar e70 = p_.d_3 * p_.m_4;
+        const Scalar e71 = e69 * e70;
+        const Scalar e72 = e19 * e71;
+        const Scalar e73 = sin_q_4 * e67 + cos_q_4 * e68;
+        const Scalar e74 = e73 * e70;
+        const Scalar e75 = e15 * e74;
+        const Scalar e76 = e67 * e6;
+        const Scalar e77 = e10 * e76;
+        const Scalar e78 = c_.k35 * e36;
+        const Scalar e79 = sin_q_5 * sin_q_6;
+        const Scalar e80 = c_.k20 * e79;
+        const Scalar e81 = dxdt[9] * e80;
+        const Scalar e82 = Scalar(2) * p_.m_6;
+        const Scalar e83 = dxdt[6] * e82;
+        const Scalar e84 = e47 * e83;
+        const Scalar e85 = e48 - cos_q_5 * e35;
+        const Scalar e86 = p_.c_z * e85;
+        const Scalar e87 = cos_q_4 * cos_q_5;
+        const Scalar e88 = p_.a_3 * sin_q_5 - p_.d_4 * e87;
+        const Scalar e89 = cos_q_6 * e88 + p_.d_4 * e35;
+        const Scalar e90 = e86 - e89;
+        const Scalar e91 = p_.m_6 * e90;
+        const Scalar e92 = dxdt[8] * e91;
+        const Scalar e93 = q_5_dot + e69;
+        const Scalar e94 = cos_q_5 * e73 + sin_q_5 * e62;
+        const Scalar e95 = cos_q_6 * e93 - sin_q_6 * e94;
+        const Scalar e96 = q_1_dot * cos_q_2;
+        const Scalar e97 = sin_q_3 * e96;
+        const Scalar e98 = q_1_dot * sin_q_2;
+        const Scalar e99 = p_.a_2 * q_2_dot + p_.d_3 * e98;
+        const Scalar e100 = cos_q_3 * e99;
+        const Scalar e101 = p_.a_3 * e67 + (p_.d_3 * e97 + e100);
+        const Scalar e102 = cos_q_3 * e96;
+        const Scalar e103 = p_.d_3 * e102;
+        const Scalar e104 = e103 - sin_q_3 * e99;
+        const Scalar e105 = p_.d_4 * e67;
+        const Scalar e106 = e104 + e105;
+        const Scalar e107 = q_1_dot * sin_q_4;
+        const Scalar e108 = cos_q_4 * e106 + e12 * e107;
+        const Scalar e109 = p_.c_x * e95 + (cos_q_5 * e101 + sin_q_5 * e108);
         const Scalar q_6_dot = x[11];
-        const Scalar e42 = q_6_dot - (cos_q_5 * e18 - sin_q_5 * e13);
-        const Scalar e43 = cos_q_4 * e38 - sin_q_4 * e33;
-        const Scalar e44 = cos_q_5 * e39 - sin_q_5 * e28;
-        const Scalar e45 = cos_q_6 * e44;
-        const Scalar e46 = sin_q_6 * e43 + p_.c_z * e40 + e45;
-        const Scalar e47 = q_5_dot * cos_q_5;
-        const Scalar e48 = q_6_dot * e43 - e28 * e47;
-        const Scalar e49 = sin_q_5 * sin_q_6;
-        const Scalar e50 = p_.d_3 * q_2_dot * e17 + q_3_dot * e32;
-        const Scalar e51 = q_5_dot * e49;
-        const Scalar e52 = cos_q_5 * sin_q_4;
-        const Scalar e53 = cos_q_4 * cos_q_6 - sin_q_6 * e52;
-        const Scalar e54 = e11 * e17;
-        const Scalar e55 = q_1_dot * q_2_dot;
-        const Scalar e56 = sin_q_2 * e55;
-        const Scalar e57 = e11 * e10;
-        const Scalar e58 = q_4_dot * e33;
-        const Scalar e59 = p_.d_4 * e54 + p_.a_2 * e56 + (p_.a_3 * e57 + e58);
-        const Scalar e60 = cos_q_4 * cos_q_5;
-        const Scalar e61 = cos_q_6 * sin_q_4 + sin_q_6 * e60;
-        const Scalar e62 = q_1_dot * q_3_dot;
-        const Scalar e63 = e6 * e62;
-        const Scalar e64 = e7 * e55 + e63;
-        const Scalar e65 = p_.d_3 * e64;
-        const Scalar e66 = q_1_dot * q_4_dot;
-        const Scalar e67 = q_3_dot * e27;
-        const Scalar e68 = e37 * e66 - e67;
-        const Scalar e69 = e65 - e68;
-        const Scalar e70 = q_5_dot * sin_q_5;
-        const Scalar e71 = e13 * e47;
-        const Scalar e72 = e18 * e70 + e71;
-        const Scalar e73 = cos_q_4 * sin_q_5;
-        const Scalar e74 = sin_q_4 * sin_q_5;
-        const Scalar e75 = e11 * e73 - e74 * e10;
-        const Scalar e76 = cos_q_5 * e7 + e16 * e73;
-        const Scalar e77 = q_1_dot * e76;
-        const Scalar e78 = e72 + (q_4_dot * e75 + e11 * e77);
-        const Scalar e79 = e18 * e47;
-        const Scalar e80 = q_6_dot * e22 + e79;
-        const Scalar e81 = cos_q_6 * sin_q_5;
-        const Scalar e82 = q_5_dot * e13;
-        const Scalar e83 = cos_q_6 * e60 - sin_q_4 * sin_q_6;
-        const Scalar e84 = q_4_dot * e11;
-        const Scalar e85 = e84 + e54;
-        const Scalar e86 = cos_q_4 * sin_q_6 + cos_q_6 * e52;
-        const Scalar e87 = q_4_dot * e10;
-        const Scalar e88 = q_6_dot * e19;
-        const Scalar e89 = cos_q_6 * e80 - e81 * (e57 + e82) + (e83 * e85 - (e86 * e87 + sin_q_6 * e88));
-        const Scalar e90 = sin_q_6 * e48 - e49 * e50 - e39 * e51 + e53 * e59 - e61 * e69 + p_.c_x * e78 + p_.c_z * e89
-            + q_6_dot * e45;
-        const Scalar e91 = e23 * e41 - e42 * e46 + e90;
-        const Scalar e92 = p_.m_6 * cos_q_6;
-        const Scalar e93 = e91 * e92;
-        const Scalar e94 = e13 * e51;
-        const Scalar e95 = sin_q_6 * e80 + cos_q_6 * e88;
-        const Scalar e96 = e94 - e95;
-        const Scalar e97 = e16 * e61 - e7 * e49;
-        const Scalar e98 = e11 * e97;
-        const Scalar e99 = e96 - (e61 * e84 + (e53 * e87 + q_1_dot * e98));
-        const Scalar e100 = sin_q_6 * e44;
-        const Scalar e101 = p_.c_x * e42 - cos_q_6 * e43 + p_.c_z * e23 + e100;
-        const Scalar e102 = e81 * (q_5_dot * e39 + e50) - cos_q_6 * e48 + e86 * e59 + e83 * e69 - p_.c_z * e99 + q_6_dot * e100;
-        const Scalar e103 = e102 - e40 * e41 - e42 * e101;
-        const Scalar e104 = p_.m_6 * sin_q_6;
-        const Scalar e105 = e103 * e104;
-        const Scalar e106 = c_.k21 * e49;
-        const Scalar e107 = dxdt[9] * e106;
-        const Scalar e108 = sin_q_6 * e107;
-        const Scalar e109 = p_.c_x * e74 + p_.c_z * e86;
-        const Scalar e110 = p_.a_3 * e49 - p_.d_4 * e61 - e109;
-        const Scalar e111 = dxdt[8] * e110;
-        const Scalar e112 = e92 * e111;
-        const Scalar e113 = p_.c_z * e53;
-        const Scalar e114 = p_.a_3 * e81 - p_.d_4 * e83 - e113;
-        const Scalar e115 = dxdt[8] * e114;
-        const Scalar e116 = e104 * e115;
-        const Scalar e117 = p_.c_x * cos_q_5 - p_.c_z * e81;
-        const Scalar e118 = dxdt[9] * e117;
-        const Scalar e119 = e92 * e118;
-        const Scalar e120 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e121 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e122 = e49 * e120 + e61 * e121 - e109;
-        const Scalar e123 = dxdt[7] * e122;
-        const Scalar e124 = e92 * e123;
-        const Scalar e125 = e81 * e120 + e83 * e121 - e113;
-        const Scalar e126 = dxdt[7] * e125;
-        const Scalar e127 = e104 * e126;
-        const Scalar e128 = cos_q_5 * e16;
-        const Scalar e129 = e7 * e73;
-        const Scalar e130 = e128 - e129;
-        const Scalar e131 = e7 * e83;
-        const Scalar e132 = e16 * e81 + e131;
-        const Scalar e133 = e34 - e35;
-        const Scalar e134 = e133 + e36;
-        const Scalar e135 = p_.c_x * e130 - p_.d_3 * e97 - p_.c_z * e132 + e53 * e134;
-        const Scalar e136 = Scalar(2) * p_.m_6;
-        const Scalar e137 = dxdt[6] * e136;
-        const Scalar e138 = e135 * e137;
-        const Scalar e139 = cos_q_6 * e138;
-        const Scalar e140 = e7 * e61;
-        const Scalar e141 = e16 * e49 + e140;
-        const Scalar e142 = p_.d_3 * e7;
-        const Scalar e143 = p_.d_3 * e16 * e83 - p_.c_z * e141 + e86 * e134 - e81 * e142;
-        const Scalar e144 = e143 * e137;
-        const Scalar e145 = sin_q_6 * e144;
-        const Scalar e146 = p_.d_4 * e21 - Scalar(5) * e39;
-        const Scalar e147 = c_.k62 * e56 + c_.k61 * e57 + (c_.k59 * e54 + Scalar(5) * e58);
-        const Scalar e148 = p_.d_4 * q_4_dot;
-        const Scalar e149 = c_.k60 * sin_q_4;
-        const Scalar e150 = Scalar(5) * e13 * e28 - e18 * e146
-            + (Scalar(5) * sin_q_4 * e68 + cos_q_4 * e147 - e21 * e148 - e64 * e149);
-        const Scalar e151 = c_.k49 * e150;
-        const Scalar e152 = p_.m_6 * q_1_dot;
-        const Scalar e153 = cos_q_6 * e152;
-        const Scalar e154 = e143 * e153;
-        const Scalar e155 = q_6_dot * e154;
-        const Scalar e156 = e42 * e154;
-        const Scalar e157 = sin_q_6 * e152;
-        const Scalar e158 = e135 * e157;
-        const Scalar e159 = q_6_dot * e158;
-        const Scalar e160 = e42 * e158;
-        const Scalar e161 = cos_q_2 * e74;
-        const Scalar e162 = p_.d_3 * e76 - p_.c_x * e141 + p_.a_2 * e161 + e74 * e133;
-        const Scalar e163 = e162 * e40;
-        const Scalar e164 = e157 * e163;
-        const Scalar e165 = e162 * e23;
-        const Scalar e166 = e153 * e165;
-        const Scalar e167 = cos_q_4 * e7;
-        const Scalar e168 = cos_q_4 * e16;
-        const Scalar e169 = c_.k62 * e1 - c_.k59 * e167 - e16 * e149 + c_.k61 * e168;
-        const Scalar e170 = (Scalar(2) / Scalar(5)) * p_.m_4;
-        const Scalar e171 = dxdt[6] * e170;
-        const Scalar e172 = e169 * e171;
-        const Scalar e173 = p_.d_3 * p_.m_4;
-        const Scalar e174 = e173 * e10;
-        const Scalar e175 = e13 * e174;
-        const Scalar e176 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e155 + e156
-            + e159 - e160 + e164 - e166 - e172 - e175;
-        const Scalar e177 = cos_q_2 * e52;
-        const Scalar e178 = sin_q_5 * e16;
-        const Scalar e179 = e7 * e60;
-        const Scalar e180 = e178 + e179;
-        const Scalar e181 = e180 * e4;
-        const Scalar e182 = c_.k21 * dxdt[10];
-        const Scalar e183 = cos_q_6 * e107;
-        const Scalar e184 = c_.k22 * dxdt[11];
-        const Scalar e185 = sin_q_6 * e184;
-        const Scalar e186 = e103 * e92;
-        const Scalar e187 = e91 * e104;
-        const Scalar e188 = e104 * e111;
-        const Scalar e189 = e92 * e115;
-        const Scalar e190 = e104 * e118;
-        const Scalar e191 = e135 * e153;
-        const Scalar e192 = q_6_dot * e191;
-        const Scalar e193 = e42 * e191;
-        const Scalar e194 = e104 * e123;
-        const Scalar e195 = e92 * e126;
-        const Scalar e196 = sin_q_6 * e138;
-        const Scalar e197 = cos_q_6 * e144;
-        const Scalar e198 = e143 * e157;
-        const Scalar e199 = q_6_dot * e198;
-        const Scalar e200 = e42 * e198;
-        const Scalar e201 = e153 * e163;
-        const Scalar e202 = e157 * e165;
-        const Scalar e203 = e162 * e152;
-        const Scalar e204 = q_5_dot * e203;
-        const Scalar e205 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_2;
-        const Scalar e206 = cos_q_4 * sin_q_3;
-        const Scalar e207 = sin_q_5 * e206;
-        const Scalar e208 = q_1_dot * cos_q_2;
-        const Scalar e209 = q_3_dot * e208;
-        const Scalar e210 = e28 * e70 - e73 * (e68 - e55 * e142) - e39 * e47 - cos_q_5 * e50 + e74 * e59 - p_.c_x * e99
-            + p_.d_3 * e207 * e209;
-        const Scalar e211 = e23 * e101 + e40 * e46 + e210;
-        const Scalar e212 = p_.m_6 * e74;
-        const Scalar e213 = e211 * e212;
-        const Scalar e214 = p_.d_4 * e73 + p_.c_x * e53;
-        const Scalar e215 = cos_q_5 * e120 - p_.a_2 * e207 + e214;
-        const Scalar e216 = dxdt[7] * e215;
-        const Scalar e217 = e212 * e216;
-        const Scalar e218 = p_.a_3 * cos_q_5 + e214;
-        const Scalar e219 = dxdt[8] * e218;
-        const Scalar e220 = e212 * e219;
-        const Scalar e221 = p_.d_3 * p_.m_3;
-        const Scalar e222 = e221 * e17;
-        const Scalar e223 = e17 * e222;
-        const Scalar e224 = (Scalar(1) / Scalar(3)) * p_.m_3;
-        const Scalar e225 = c_.k66 * cos_q_2 + c_.k65 * e16 + e35;
-        const Scalar e226 = dxdt[6] * e225;
-        const Scalar e227 = e224 * e226;
-        const Scalar e228 = q_4_dot * e73;
-        const Scalar e229 = e203 * e228;
-        const Scalar e10_squared = e10 * e10;
-        const Scalar e230 = e221 * e10_squared;
-        const Scalar e231 = dxdt[10] * e2;
-        const Scalar e232 = e129 - e128;
-        const Scalar e233 = e232 * e4;
-        const Scalar e234 = c_.k22 * e49;
-        const Scalar e235 = dxdt[9] * e234;
-        const Scalar e236 = e162 * e137;
-        const Scalar e237 = e135 * e152;
-        const Scalar e238 = e23 * e237;
-        const Scalar e239 = e143 * e40;
-        const Scalar e240 = e152 * e239;
-        const Scalar e241 = q_5_dot * e154;
-        const Scalar e242 = e231 + e233 + e235 + e236 - e238 + e240 - e241;
-        const Scalar e243 = e143 * e92;
-        const Scalar e244 = q_2_dot * cos_q_3;
-        const Scalar e245 = e244 * e47;
-        const Scalar e246 = q_3_dot * e244;
-        const Scalar e247 = e60 * e246;
-        const Scalar e248 = q_2_dot * sin_q_3;
-        const Scalar e249 = sin_q_4 * e248;
-        const Scalar e250 = q_6_dot * e249;
-        const Scalar e251 = e42 * e249;
-        const Scalar e252 = q_4_dot * e248;
-        const Scalar e253 = e52 * e252;
-        const Scalar e254 = cos_q_5 * e206;
-        const Scalar e255 = e245 + e247 - e250 + e251 - e253 + dxdt[7] * e254;
-        const Scalar e256 = e135 * e104;
-        const Scalar e257 = cos_q_2 * sin_q_4;
-        const Scalar e258 = e206 * e209;
-        const Scalar e259 = p_.d_4 * e13 + Scalar(5) * e43;
-        const Scalar e260 = c_.k60 * (e55 * e167 + e258) - Scalar(5) * cos_q_4 * e68 + sin_q_4 * e147 - e13 * e148;
-        const Scalar e261 = e260 - Scalar(5) * e21 * e28 - e18 * e259;
-        const Scalar e262 = c_.k49 * e261;
-        const Scalar e263 = q_4_dot * e191;
-        const Scalar e264 = q_4_dot * e198;
-        const Scalar e265 = e237 * e51;
-        const Scalar e266 = c_.k61 * sin_q_4 * e16 + c_.k62 * e257 - c_.k59 * e8 + c_.k60 * e168;
-        const Scalar e267 = e266 * e171;
-        const Scalar e268 = e21 * e174;
-        const Scalar e269 = e143 * e104;
-        const Scalar e270 = q_2_dot * e206;
-        const Scalar e271 = q_4_dot * e270;
-        const Scalar e272 = sin_q_4 * e246;
-        const Scalar e273 = cos_q_5 * e270;
-        const Scalar e274 = q_6_dot * e273;
-        const Scalar e275 = e42 * e273;
-        const Scalar e276 = sin_q_3 * sin_q_4;
-        const Scalar e277 = dxdt[7] * e276;
-        const Scalar e278 = e271 + e272 + e274 - e275 + e277;
-        const Scalar e279 = e135 * e92;
-        const Scalar e280 = c_.k48 * e225;
-        const Scalar e281 = e10 * e280;
-        const Scalar e282 = c_.k49 * e266;
-        const Scalar e283 = e21 * e282;
-        const Scalar e284 = c_.k49 * e169;
-        const Scalar e285 = e13 * e284;
-        const Scalar e286 = e11 * e221;
-        const Scalar e287 = e16 * e286;
-        const Scalar e288 = cos_q_4 * e282;
-        const Scalar e289 = sin_q_4 * e284;
-        const Scalar e290 = p_.m_6 * e73;
-        const Scalar e291 = e162 * e290;
-        const Scalar e292 = e16 * e221;
-        const Scalar e293 = q_3_dot * e248;
-        const Scalar e294 = p_.m_6 * e49;
-        const Scalar e295 = e135 * e294;
-        const Scalar e296 = sin_q_5 * e92;
-        const Scalar e297 = e143 * e296;
-        const Scalar e298 = c_.k10 * e7;
-        const Scalar e299 = p_.m_6 * cos_q_5;
-        const Scalar e300 = e162 * e299;
-        const Scalar e301 = e295 - e297 + e298 + e300;
-        const Scalar e302 = dxdt[7] * cos_q_3;
-        const Scalar e303 = e17 * e280;
-        const Scalar e304 = e294 * e244;
-        const Scalar e305 = e143 * e42;
-        const Scalar e306 = q_6_dot * e143;
-        const Scalar e307 = e165 - e305 + e306;
-        const Scalar e308 = e244 * e296;
-        const Scalar e309 = e163 + q_6_dot * e135 - e135 * e42;
-        const Scalar e310 = p_.m_6 * sin_q_5;
-        const Scalar e311 = e310 * (q_5_dot * e244);
-        const Scalar e312 = e206 * e310;
-        const Scalar e313 = dxdt[7] * e312;
-        const Scalar e314 = dxdt[7] * sin_q_2;
-        const Scalar e315 = q_2_dot * sin_q_2;
-        const Scalar e316 = e52 * e315;
-        const Scalar e317 = q_4_dot * e60;
-        const Scalar e318 = cos_q_2 * e317;
-        const Scalar e319 = e316 - e318;
-        const Scalar e320 = e104 * e163;
-        const Scalar e321 = e92 * e165;
-        const Scalar e322 = e92 * e163 + e104 * e165;
-        const Scalar e323 = e270 * e310;
-        const Scalar e324 = e244 * e299;
-        const Scalar e325 = e323 - e324;
-        const Scalar e326 = q_5_dot * e270;
-        const Scalar e327 = q_4_dot * e208;
-        const Scalar e328 = e18 * e208;
-        const Scalar e329 = e327 + e328;
-        const Scalar e330 = e135 * e23;
-        const Scalar e331 = cos_q_4 * e315;
-        const Scalar e332 = e191 + e198;
-        const Scalar e333 = q_4_dot + e18;
-        const Scalar e334 = p_.a_2 * p_.m_2;
-        const Scalar e335 = e7 * e11;
-        const Scalar e336 = e16 * e11;
-        const Scalar e337 = c_.k58 * e30 - e29 - Scalar(6) * e31;
-        const Scalar e338 = c_.k66 * e315 + c_.k65 * e335 - p_.d_4 * e336 + e16 * e337 + Scalar(6) * e7 * e28;
-        const Scalar e339 = e74 * e203;
-        const Scalar e340 = p_.m_6 * e162;
-        const Scalar e341 = e47 * e270;
-        const Scalar e342 = e21 * e270;
-        const Scalar e343 = e206 * e282;
-        const Scalar e344 = dxdt[7] * sin_q_3;
-        const Scalar e345 = c_.k64 * q_2_dot + c_.k63 * e25;
-        const Scalar e346 = cos_q_2 * e208;
-        const Scalar e347 = (sin_q_2 * e345 + c_.k64 * e315 + c_.k63 * e346) * e208;
-        const Scalar e348 = e162 * e212;
-        const Scalar e349 = e208 * e315;
-        const Scalar e350 = (Scalar(181) / Scalar(450)) * e334;
-        const Scalar e351 = dxdt[6] * cos_q_2;
-        const Scalar e352 = cos_q_2 * e351;
-        const Scalar e353 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
-            + e197 - e199 + e200 - e201 - e202 + e204;
-        const Scalar e354 = q_2_dot * q_2_dot * e205 - e213 + e217 + e220 + e223 + e227 + e229 + e230;
-        const Scalar e355 = e1 * e176 - e177 * e353 - cos_q_2 * e354 - e161 * e242 + e243 * e255 - e256 * e255 + e257
-            * (e262 + e263 + e264 - e265 - e267 + e268) - e269 * e278 - e279 * e278 + e244 * (e281 - e283 + e285 - e287) - e284
-            * (e18 * e270 - cos_q_4 * e56 + e271 + e277) + e246 * (e288 - e289 + e291 + e292) + e293 * e301 - e302 * e301
-            - e248 * (e13 * e173 * e8 + e7 * e286 + e303) - e304 * e307 - e308 * e309 + e162 * (e311 + e313) - e205
-            * (q_1_dot * e208 + e314) + e154 * e319 - e158 * e319 + e249 * (e320 - e321) - e273 * e322 + e239 * e325 + e56
-            * (sin_q_4 * e282 + e280) + e326 * (e295 - e297) - e288 * e329 + e289 * e329 - e330 * e325 + e331 * e332 - e282
-            * e249 * e333 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e334) + c_.k48 * e338 * e208 + e315 * e339 + e340 * e341 - e7
-            * e173 * e342 + dxdt[7] * e343 + e344 * e292 + (Scalar(1) / Scalar(18)) * p_.m_2 * e347 - e252 * e348
-            + (Scalar(131) / Scalar(225)) * e334 * e349 - e350 * e352;
-        const Scalar e356 = e5 * e5 + e6 * e6;
-        const Scalar e357 = c_.k5 * e225;
-        const Scalar e358 = e169 * e169 + e266 * e266;
-        const Scalar e359 = e179 + e178;
-        const Scalar e360 = e359 * e359 + (sin_q_4 * sin_q_4 * e356 + e132 * e132);
-        const Scalar e361 = p_.m_6 * e135;
-        const Scalar e362 = p_.m_6 * e143;
-        const Scalar e363 = c_.k2 * e141;
-        const Scalar e364 = e14 * e15;
-        const Scalar e365 = c_.k2 * e130;
-        const Scalar e366 = sin_q_4 * e14;
-        const Scalar e367 = sin_q_4 * e15;
-        const Scalar e368 = e366 * e367;
-        const Scalar e369 = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e356 + e225
-            * e357 + c_.k6 * e358 + p_.J_5 * e360 + e162 * e340 + e135 * e361 + e143 * e362 + e141 * e363 + c_.k1 * e364 + e130
-            * e365 + c_.k2 * e368;
-        const Scalar inverse_370 = Scalar(1) / e369;
-        const Scalar e371 = e130 * e74 + e141 * e53;
-        const Scalar e372 = e359 * e52 - (sin_q_4 * e167 - e132 * e86);
-        const Scalar e373 = c_.k2 * e371 - p_.J_5 * e372;
-        const Scalar e374 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e375 = c_.k11 * e16;
-        const Scalar e376 = cos_q_4 * e266 - sin_q_4 * e169;
-        const Scalar e377 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e378 = c_.k6 * e377;
-        const Scalar e379 = c_.k9 * sin_q_2 + e120 * e298 - e373 + e215 * e340 + e122 * e361 - e125 * e362 - e374 * e375 - e376
-            * e378;
-        const Scalar e380 = e379 * inverse_370;
-        const Scalar e381 = p_.m_4 * p_.g;
-        const Scalar e382 = e16 * e381;
-        const Scalar e383 = q_1_dot * e225;
-        const Scalar e384 = Scalar(6) * e50 - e11 * e337 + e10 * e383;
-        const Scalar e385 = c_.k48 * e384;
-        const Scalar e386 = Scalar(5) * e50 + e13 * e259 + e21 * e146;
-        const Scalar e387 = c_.k49 * e386;
-        const Scalar e388 = dxdt[11] * e234;
-        const Scalar e389 = e81 * e107;
-        const Scalar e390 = c_.k18 * dxdt[8];
-        const Scalar e391 = e296 * e115;
-        const Scalar e392 = e103 * e296;
-        const Scalar e393 = e211 * e299;
-        const Scalar e394 = e299 * e219;
-        const Scalar e395 = dxdt[6] * e7;
-        const Scalar e396 = c_.k10 * e395;
-        const Scalar e397 = p_.m_3 + p_.m_4;
-        const Scalar e398 = dxdt[7] * e120;
-        const Scalar e399 = Scalar(2) * e397 * e398;
-        const Scalar e400 = e136 * e81;
-        const Scalar e401 = e126 * e400;
-        const Scalar e402 = e136 * e123;
-        const Scalar e403 = e49 * e402;
-        const Scalar e404 = e136 * e126;
-        const Scalar e405 = e125 * e92;
-        const Scalar e406 = e245 + e247 - e250 + e251 - e253 - dxdt[6] * e177;
-        const Scalar e407 = e215 * e23;
-        const Scalar e408 = e215 * e40;
-        const Scalar e409 = e125 * e104;
-        const Scalar e410 = e271 + e272 + e274 - e275 + dxdt[6] * e1;
-        const Scalar e411 = q_6_dot * e1;
-        const Scalar e412 = e42 * e1;
-        const Scalar e413 = dxdt[6] * e16;
-        const Scalar e414 = p_.d_4 * p_.m_4;
-        const Scalar e415 = p_.d_4 * p_.m_3;
-        const Scalar e416 = (Scalar(4) / Scalar(5)) * (e414 - (Scalar(5) / Scalar(24)) * e415);
-        const Scalar e417 = -e416;
-        const Scalar e418 = dxdt[8] * e417;
-        const Scalar e419 = e7 * e381;
-        const Scalar e420 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e383;
-        const Scalar e421 = c_.k48 * e420;
-        const Scalar e422 = c_.k13 * e120;
-        const Scalar e423 = e122 * e294;
-        const Scalar e424 = e125 * e296;
-        const Scalar e425 = e422 + e423 + e424 + e215 * e299;
-        const Scalar e426 = e231 + e233 + e235 + e136 * e216;
-        const Scalar e427 = e331 + q_6_dot * e177 - e42 * e177 + q_4_dot * e257;
-        const Scalar e428 = c_.k49 * e377;
-        const Scalar e429 = dxdt[6] * e162;
-        const Scalar e430 = e125 * e40;
-        const Scalar e431 = e323 - e324 - e152 * e161;
-        const Scalar e432 = e122 * e23;
-        const Scalar e433 = e215 * e152;
-        const Scalar e434 = e122 * e308;
-        const Scalar e435 = e246 * e290;
-        const Scalar e436 = c_.k48 * e374;
-        const Scalar e437 = p_.m_3 * e120;
-        const Scalar e438 = e17 * e436 - e10 * e437;
-        const Scalar e439 = p_.m_4 * e120;
-        const Scalar e440 = e342 + e13 * e249;
-        const Scalar e441 = e181 + e182;
-        const Scalar e442 = e252 + e351;
-        const Scalar e443 = e243 - e256;
-        const Scalar e444 = cos_q_4 * e21 + sin_q_4 * e13;
-        const Scalar e445 = cos_q_4 * e13 - sin_q_4 * e21;
-        const Scalar e446 = p_.m_3 * p_.g;
-        const Scalar e447 = p_.m_6 * e215;
-        const Scalar e448 = dxdt[6] * sin_q_2;
-        const Scalar e449 = e11 * e436;
-        const Scalar e450 = e208 * e25;
-        const Scalar e451 = e125 * e42;
-        const Scalar e452 = e11 * e437;
-        const Scalar e453 = e382 - e385 - e387 + e388 + e389 - e390 - e391 - e392 + e393 - e394 - e396 - e399 - e401 - e403;
-        const Scalar e454 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e151 - cos_q_6 * e402 + sin_q_6 * e404;
-        const Scalar e455 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - sin_q_6 * e402 - cos_q_6 * e404;
-        const Scalar e456 = cos_q_3 * e453 + e276 * e454 + e254 * e455 - e405 * e406 - e122 * e104 * e406 - e407
-            * (e153 * e1 - e157 * e177 + e92 * e249 + e104 * e273 + e304) + e408
-            * (e157 * e1 + e153 * e177 + e104 * e249 - e92 * e273 - e308) + e409 * e410 - e122 * e92 * e410 - e125 * e153
-            * (q_5_dot * e161 + e316 - e318 - e411 + e412) + sin_q_3 * (e221 * e413 - e418 + e419 + e421) + e293 * e425 + e207
-            * e426 - cos_q_3 * cos_q_5 * e426 + e122 * e153 * e427 - e125 * e157 * e427 - e122 * e157
-            * (e316 - e318 - e411 + e412) - e428 * (e246 - e327 - e328) - e312 * (e211 - e219 - e429) - e430 * e431 - e432
-            * e431 - e433 * (q_5_dot * e177 - e74 * e315 + cos_q_2 * e228) - dxdt[6] * cos_q_3 * (e295 - e297 + e300) + cos_q_3
-            * e294 * (e91 - e111 + e118) - dxdt[6] * e276 * (e284 + e269 + e279) + q_6_dot * (e125 * e304 - e434) + e215
-            * (e311 + e435) + e208 * e438 - e439 * e440 + e326 * (e423 + e424) - e344 * (e377 * e170 + e374 * e224) + cos_q_3
-            * sin_q_5 * e441 - e215 * e212 * e442 + dxdt[6] * e254 * e443 + e244 * e428 * e444 - e208 * e439 * e445 - dxdt[7]
-            * ((Scalar(19) / Scalar(45)) * e334) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e446) - e122 * e152
-            * e51 * e257 - e246 * e436 - e206 * e262 + e341 * e447 - e205 * e448 + dxdt[6] * e343 + e244 * e449 - e350 * e450
-            - e304 * e451 + e42 * e434 - e248 * e452;
-        const Scalar e457 = e456 - e380 * e355;
-        const Scalar e458 = e86 * e86 + e74 * e74;
-        const Scalar e459 = c_.k2 * e53;
-        const Scalar e460 = p_.J_5 * e458 + e53 * e459;
-        const Scalar e461 = c_.k5 * e374;
-        const Scalar e462 = p_.m_6 * e125;
-        const Scalar e463 = p_.m_6 * e122;
-        const Scalar e464 = c_.k12 + e460 + e120 * e422 + e215 * e447 + e374 * e461 + e377 * e378 + e125 * e462 + e122 * e463;
-        const Scalar inverse_465 = Scalar(1) / (e464 - e379 * e380);
-        const Scalar e466 = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e376 - e373 + e218 * e340 + e110 * e361 - e114 * e362;
-        const Scalar e467 = c_.k17 + c_.k18 * e120 - c_.k14 * e377 + c_.k19 * e374 + e460 + e218 * e447 + e114 * e462 + e110
-            * e463;
-        const Scalar e468 = e467 - e466 * e380;
-        const Scalar e469 = e468 * inverse_465;
-        const Scalar e470 = e114 * e40 + e110 * e23;
-        const Scalar e471 = e114 * e92;
-        const Scalar e472 = (Scalar(4) / Scalar(5)) * e414;
-        const Scalar e473 = e472 * e444;
-        const Scalar e474 = e299 * e470 - (e47 * e471 + e473);
-        const Scalar e475 = c_.k77 * e11;
-        const Scalar e476 = q_6_dot - e42;
-        const Scalar e477 = e218 * e40 + e110 * e476;
-        const Scalar e478 = e114 * e86 - e110 * e53;
-        const Scalar e479 = e246 + e344;
-        const Scalar e480 = e114 * e83 + e110 * e61;
-        const Scalar e481 = e218 * e23;
-        const Scalar e482 = e481 - e114 * e476;
-        const Scalar e483 = e61 * e248;
-        const Scalar e484 = p_.a_3 * p_.m_4;
-        const Scalar e485 = c_.k77 * e17 - c_.k79 * e10;
-        const Scalar e486 = e472 * e333 + e484 * e445;
-        const Scalar e487 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
-        const Scalar e488 = e487 + e228;
-        const Scalar e489 = q_4_dot * e83;
-        const Scalar e490 = e53 * e476 + e489;
-        const Scalar e491 = q_5_dot * e153 - e40 * e152;
-        const Scalar e492 = e152 * e490 - e74 * e491;
-        const Scalar e493 = e218 * e152 * e488 - e114 * e492;
-        const Scalar e494 = q_4_dot * e61 + e86 * e476;
-        const Scalar e495 = e152 * (e494 - (sin_q_4 * e51 - e23 * e74));
-        const Scalar e496 = cos_q_2 * e495 - e104 * e245;
-        const Scalar e497 = e293 - e302;
-        const Scalar e498 = e497 + e326;
-        const Scalar e499 = e114 * e296 + e110 * e294;
-        const Scalar e500 = c_.k18 + e218 * e299;
-        const Scalar e501 = p_.m_6 * e218;
-        const Scalar e502 = c_.k79 * e11;
-        const Scalar e503 = e218 * e74 - e478;
-        const Scalar e504 = e152 * e315;
-        const Scalar e505 = e466 * inverse_370;
-        const Scalar e506 = e244 * (e474 + e475) - p_.m_6 * (e83 * e248 * e477 - e442 * e478 + e479 * e480 + e482 * e483)
-            - e218 * (e442 * e212 - e311 - e435 - e313) - e484 * e440 + e208 * (e485 - e486) - e417 * e479 - cos_q_2 * e493
-            + e110 * e496 - e482 * e304 - e477 * e308 + e498 * e499 - e470 * e323 + e497 * e500 + e341 * e501 - e248 * e502
-            + e503 * e504;
-        const Scalar e507 = e506 - e505 * e355 - e469 * e457;
-        const Scalar e508 = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e460 + e218 * e501 - e466 * e505 - e468 * e469;
-        const Scalar inverse_509 = Scalar(1) / e508;
-        const Scalar e510 = p_.m_6 * e117;
-        const Scalar e511 = cos_q_5 * e74 - e86 * e81;
-        const Scalar e512 = p_.J_5 * e511 + e49 * e459;
-        const Scalar e513 = sin_q_5 * e359 + e132 * e81;
-        const Scalar e514 = e162 * e234 - c_.k23 * e16 + e143 * e106 - p_.J_5 * e513 - e135 * e510 - e49 * e363 - cos_q_5
-            * e365;
-        const Scalar e515 = e215 * e234 - e125 * e106 - e122 * e510 + e512 - e514 * e380;
-        const Scalar e516 = e218 * e234 - e114 * e106 - e110 * e510 + e512 - e514 * e505 - e515 * e469;
-        const Scalar e517 = e516 * inverse_509;
-        const Scalar e518 = e40 * e83;
-        const Scalar e519 = e248 * e518 - e341;
-        const Scalar e520 = e117 * e294;
-        const Scalar e521 = e106 * e81;
-        const Scalar e522 = e83 * e476;
-        const Scalar e523 = e61 * e479 + e248 * e522;
-        const Scalar e524 = e86 * e106 + e74 * e234;
-        const Scalar e525 = e56 - e442;
-        const Scalar e526 = q_5_dot * cos_q_6;
-        const Scalar e527 = e106 * (e526 - e40);
-        const Scalar e528 = e234 * e488 + e106 * e490;
-        const Scalar e529 = e74 * e527 - e528;
-        const Scalar e530 = e23 * e234;
-        const Scalar e531 = e476 * e106 + e530;
-        const Scalar e532 = e117 * e23;
-        const Scalar e533 = sin_q_5 * e2;
-        const Scalar e534 = c_.k21 * cos_q_5 + e533;
-        const Scalar e535 = e234 * e70 - e40 * e49 * e534;
-        const Scalar e536 = e117 * e476;
-        const Scalar e537 = e49 * e531 + e299 * e532 - (e535 + (cos_q_6 * e106 * e47 + e296 * e536));
-        const Scalar e538 = cos_q_5 * e234;
-        const Scalar e539 = e73 * e234;
-        const Scalar e540 = sin_q_5 * e270;
-        const Scalar e541 = e40 * e106;
-        const Scalar e542 = e83 * e106;
-        const Scalar e543 = e514 * inverse_370;
-        const Scalar e544 = e515 * inverse_465;
-        const Scalar e545 = e234 * (dxdt[7] * e207 - e519) - e117 * (e496 + e53 * e504) - e498 * (e520 + e521) + e510
-            * (e53 * e442 + e523) + e524 * e525 + e208 * e529 - e244 * e537 + e323 * e532 - e531 * e483 + e497 * e538 + e246
-            * e539 + e540 * e541 + e479 * e542;
-        const Scalar e546 = e545 - e543 * e355 - e544 * e457 - e517 * e507;
-        const Scalar e547 = c_.k25 * e49;
-        const Scalar e548 = c_.k24 + e117 * e510 + e49 * e547 - e514 * e543 - e515 * e544 - e516 * e517;
-        const Scalar inverse_549 = Scalar(1) / e548;
-        const Scalar e550 = c_.k21 * sin_q_6;
-        const Scalar e551 = e8 - sin_q_6 * e132;
-        const Scalar e552 = c_.k21 * cos_q_6;
-        const Scalar e553 = e162 * e2 - p_.J_5 * e551 - e135 * e550 + e143 * e552 - cos_q_6 * e363;
-        const Scalar e554 = cos_q_4 + sin_q_6 * e86;
-        const Scalar e555 = p_.J_5 * e554 + cos_q_6 * e459;
-        const Scalar e556 = e215 * e2 - e122 * e550 + e555 - e125 * e552 - e553 * e380;
-        const Scalar e557 = e218 * e2 - e110 * e550 + e555 - e114 * e552 - e553 * e505 - e556 * e469;
-        const Scalar e558 = e117 * e550 + cos_q_6 * e547 - e553 * e543 - e556 * e544 - e557 * e517;
-        const Scalar e559 = e558 * inverse_549;
-        const Scalar e560 = c_.k21 * sin_q_5 - cos_q_5 * e2;
-        const Scalar e561 = cos_q_6 * e234;
-        const Scalar e562 = cos_q_5 * e550 + e561;
-        const Scalar e563 = q_5_dot - cos_q_6 * e40;
-        const Scalar e564 = e23 * e562 - e534 * e563;
-        const Scalar e565 = c_.k21 * e563;
-        const Scalar e566 = e23 * e106;
-        const Scalar e567 = c_.k21 * e476;
-        const Scalar e568 = q_4_dot * e534 + e567;
-        const Scalar e569 = e2 * e487;
-        const Scalar e570 = e74 * e565 - sin_q_4 * e566 - (cos_q_4 * e568 + e569);
-        const Scalar e571 = cos_q_4 * e534;
-        const Scalar e572 = e23 * e2;
-        const Scalar e573 = sin_q_4 * e534;
-        const Scalar e574 = e553 * inverse_370;
-        const Scalar e575 = e556 * inverse_465;
-        const Scalar e576 = e557 * inverse_509;
-        const Scalar e577 = dxdt[7] * e534 * e206 - e497 * e560 - e244 * e564 - e2 * e519 + e208 * e570 - e249 * e567 + e270
-            * e566 - e540 * e565 + e246 * e571 - e572 * e483 + e525 * e573;
-        const Scalar e578 = e577 - e574 * e355 - e575 * e457 - e576 * e507 - e559 * e546;
-        const Scalar e579 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e553 * e574 - e556 * e575 - e557 * e576 - e558 * e559;
-        const Scalar inverse_580 = Scalar(1) / e579;
-        const Scalar e581 = -c_.k22 * e135 - p_.J_5 * e130;
-        const Scalar e582 = p_.J_5 * e74;
-        const Scalar e583 = e582 - c_.k22 * e122 - e581 * e380;
-        const Scalar e584 = e582 - c_.k22 * e110 - e581 * e505 - e583 * e469;
-        const Scalar e585 = p_.J_5 * cos_q_5 + c_.k22 * e117 - e581 * e543 - e583 * e544 - e584 * e517;
-        const Scalar e586 = c_.k28 * sin_q_6 - e581 * e574 - e583 * e575 - e584 * e576 - e585 * e559;
-        const Scalar e587 = e586 * inverse_580;
-        const Scalar e588 = c_.k22 * e23;
-        const Scalar e589 = c_.k22 * sin_q_6;
-        const Scalar e590 = e476 * e533 + e47 * e589;
-        const Scalar e591 = cos_q_5 * e588 - e590;
-        const Scalar e592 = q_5_dot * e234;
-        const Scalar e593 = c_.k22 * e494;
-        const Scalar e594 = e74 * e588 - sin_q_4 * e592 + e593;
-        const Scalar e595 = c_.k22 * e53;
-        const Scalar e596 = e581 * inverse_370;
-        const Scalar e597 = e583 * inverse_465;
-        const Scalar e598 = e584 * inverse_509;
-        const Scalar e599 = e585 * inverse_549;
-        const Scalar e600 = c_.k27 - e581 * e596 - e583 * e597 - e584 * e598 - e585 * e599 - e586 * e587;
-        const Scalar inverse_601 = Scalar(1) / e600;
-        const Scalar e602 = c_.k22 * e523 - e234 * e498 - e244 * e591 - e208 * e594 + e588 * e540 - e525 * e595;
-        const Scalar e603 = e602 - e596 * e355 - e597 * e457 - e598 * e507 - e599 * e546 - e587 * e578;
-        const Scalar e604 = e603 * inverse_601;
-        const Scalar e605 = e578 * inverse_580 - e587 * e604;
-        const Scalar e606 = e546 * inverse_549 - e559 * e605 - e599 * e604;
-        const Scalar e607 = e507 * inverse_509 - e517 * e606 - e576 * e605 - e598 * e604;
-        const Scalar e608 = e457 * inverse_465 - e469 * e607 - e544 * e606 - e575 * e605 - e597 * e604;
-        const Scalar e609 = cos_q_4 * e14;
-        const Scalar e610 = sin_q_2 * e206;
-        const Scalar e611 = e52 * e14;
-        const Scalar e612 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e194 - e195 - e196 + e197;
-        const Scalar e613 = e52 * e15;
-        const Scalar e614 = q_1_dot * e338;
-        const Scalar e615 = e213 - e217 - e220 - e223 - e227 - e230 + c_.k48 * e614;
-        const Scalar e616 = e192 - e193 + e199 - e200 + e201 + e202 - e204;
-        const Scalar e617 = cos_q_4 * e5;
-        const Scalar e618 = q_3_dot * e191;
-        const Scalar e619 = q_3_dot * e198;
-        const Scalar e620 = q_2_dot * e191;
-        const Scalar e621 = q_2_dot * e198;
-        const Scalar e622 = e618 + e619 + e620 + e621 + e55 * e284 + e284 * e62;
-        const Scalar e623 = e52 * e5;
-        const Scalar e624 = q_3_dot * e154;
-        const Scalar e625 = q_2_dot * e154;
-        const Scalar e626 = q_3_dot * e158;
-        const Scalar e627 = q_2_dot * e158;
-        const Scalar e628 = e624 + e625 - e626 - e627;
-        const Scalar e629 = e52 * e6;
-        const Scalar e630 = e231 + e233 + e235 + e236;
-        const Scalar e631 = e229 + e154 * e317 - e158 * e317;
-        const Scalar e632 = q_2_dot * e339;
-        const Scalar e633 = q_3_dot * e339;
-        const Scalar e634 = e11 * e294;
-        const Scalar e635 = e11 * e296;
-        const Scalar e636 = e238 - e240 + e241;
-        const Scalar e637 = e281 - e287;
-        const Scalar e638 = e270 * e208;
-        const Scalar e639 = cos_q_2 * e206;
-        const Scalar e640 = sin_q_4 * e5;
-        const Scalar e641 = e55 * e282 + e282 * e62;
-        const Scalar e642 = sin_q_4 * e6;
-        const Scalar e643 = q_4_dot * e17 + e18 * e17;
-        const Scalar e644 = e11 * e47;
-        const Scalar e645 = e11 * e299;
-        const Scalar e646 = e239 - e330;
-        const Scalar e647 = p_.m_6 * e11;
-        const Scalar e648 = e647 * e70;
-        const Scalar e649 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
-        const Scalar e650 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
-        const Scalar e651 = e609 * e649 - e610 * e650 - e611 * e612 + e613 * e612 + e14 * e615 - e15 * e615 - e168
-            * (e155 - e156 - e159 + e160 - e164 + e166 + e175) + e16 * e52 * e616 + e617 * e622 - dxdt[7] * e301 - dxdt[8]
-            * e301 + e623 * e628 + e629 * e628 + sin_q_4 * e16 * (e263 + e264 - e265 + e268) - e74 * e14 * e630 + e74 * e15
-            * e630 - e16 * e631 + e6 * (e55 * e280 + e632 + e633) + e366 * (e4 * e167 + e262 - e267) - e634 * e307 - e635
-            * e309 + e16 * e74 * e636 + q_2_dot * e637 + q_3_dot * e637 - e11 * (e283 - e285) + e5 * (e632 + e633) - e367
-            * (e262 - e267) + e284 * (e638 + e258) + e639 * (e618 + e619) + e640 * e641 + e642 * e641 - e288 * e643 + e289
-            * e643 + e644 * e443 - e645 * e646 + cos_q_2 * e270 * e332 + e5 * e280 * (e55 + e62) + e162 * e648 + e280 * e63;
-        const Scalar e652 = p_.m_6 * e413 - e152 * e335;
-        const Scalar e653 = e215 * e74 - e125 * e86;
-        const Scalar e654 = e488 * e433 - e125 * e492;
-        const Scalar e655 = e429 - e211;
-        const Scalar e656 = e655 + e219;
-        const Scalar e657 = e407 - e125 * e476;
-        const Scalar e658 = e104 * e644 - e16 * e495;
-        const Scalar e659 = e53 * e652 + e658;
-        const Scalar e660 = e122 * e476 + e408;
-        const Scalar e661 = cos_q_5 * e136;
-        const Scalar e662 = e430 + e432;
-        const Scalar e663 = dxdt[6] * e135;
-        const Scalar e664 = e91 + e118;
-        const Scalar e665 = e663 - e664;
-        const Scalar e666 = dxdt[6] * e143 - e103;
-        const Scalar e667 = e233 + e235;
-        const Scalar e668 = e667 + e231;
-        const Scalar e669 = e389 + (e446 * e16 - e294 * e665) + (sin_q_5 * e441 + e296 * e666 - (cos_q_5 * e668 + e396));
-        const Scalar e670 = e382 - e385 - (e387 - e388) + e669;
-        const Scalar e671 = e11 * e444;
-        const Scalar e672 = e17 * (e333 * e428 - e445 * e439) - dxdt[8] * e425 + e17 * e438 - e294 * e111 - e652 * e653 - e16
-            * e654 - e299 * e656 - e657 * e634 - e122 * e659 - e660 * e635 - e390 - e405 * e644 - e391 - e216 * e661 + e662
-            * e645 + e215 * e648 + e11 * e449 + e670 + e428 * e671 - e399 - e401 - e403;
-        const Scalar e673 = e672 - e380 * e651;
-        const Scalar e674 = e655 + e216;
-        const Scalar e675 = e296 * e126;
-        const Scalar e676 = c_.k13 * e398;
-        const Scalar e677 = e17 * e485 - dxdt[7] * (e499 + e500) - dxdt[8] * (Scalar(2) * p_.a_3 * e397) - e294 * e123 - e136
-            * e49 * e111 - e110 * e658 - e652 * e503 - e16 * e493 - e299 * e674 - e17 * e486 - e482 * e634 + e11 * e474 - e477
-            * e635 - e115 * e400 - e219 * e661 + e11 * e475 - e675 + e218 * e648 - e676 + e670;
-        const Scalar e678 = e677 - e505 * e651 - e469 * e673;
-        const Scalar e679 = e57 - e413;
-        const Scalar e680 = dxdt[7] + dxdt[8];
-        const Scalar e681 = e538 - e521;
-        const Scalar e682 = e679 * e524 - e680 * (e681 - e520) + e17 * e529 + e117 * e659 - e11 * e537;
-        const Scalar e683 = e682 - e543 * e651 - e544 * e673 - e517 * e678;
-        const Scalar e684 = e680 * e560 - e11 * e564 + e17 * e570 + e679 * e573 - e574 * e651 - e575 * e673 - e576 * e678
-            - e559 * e683;
-        const Scalar e685 = e680 * e234 - e11 * e591 - e17 * e594 - e679 * e595 - e596 * e651 - e597 * e673 - e598 * e678
-            - e599 * e683 - e587 * e684;
-        const Scalar e686 = e685 * inverse_601;
-        const Scalar e687 = e684 * inverse_580 - e587 * e686;
-        const Scalar e688 = e683 * inverse_549 - e559 * e687 - e599 * e686;
-        const Scalar e689 = e678 * inverse_509 - e517 * e688 - e576 * e687 - e598 * e686;
-        const Scalar e690 = e673 * inverse_465 - e469 * e689 - e544 * e688 - e575 * e687 - e597 * e686;
-        const Scalar e691 = sin_q_5 * e153;
-        const Scalar e692 = e152 * e49;
-        const Scalar e693 = e382 - e385 - e387 + e388 + e389 - e390 - e391 - e392 + e393 - e675 - e394 - e676 - e49 * e138
-            + e81 * e144 - e299 * e216 - Scalar(2) * p_.d_3 * e397 * e395 - e163 * e691 + e305 * e692 - e306 * e692;
-        const Scalar e694 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
-            + e197 - e199 + e200 - e201 - e202;
-        const Scalar e695 = e47 * e203;
-        const Scalar e696 = Scalar(2) * e221 * e413;
-        const Scalar e697 = q_4_dot * e339;
-        const Scalar e698 = e10 * e286;
-        const Scalar e699 = e231 + e233 + e235 + e236 - e238 + e240;
-        const Scalar e700 = e5 * e222;
-        const Scalar e701 = e6 * e222;
-        const Scalar e702 = e5 * e203;
-        const Scalar e703 = e73 * e702;
-        const Scalar e704 = e5 * e60;
-        const Scalar e705 = sin_q_5 * e14;
-        const Scalar e706 = sin_q_5 * e15;
-        const Scalar e707 = cos_q_5 * e639;
-        const Scalar e708 = e366 * e282 - e367 * e282 - e610 * e284 + e609 * e284;
-        const Scalar e709 = e181 + e182 - e192 + e193;
-        const Scalar e710 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
-        const Scalar e711 = e91 - e123 - e111 + e118;
-        const Scalar e712 = e5 * e47 + e6 * e47 + cos_q_2 * e273;
-        const Scalar e713 = e281 - e283 + e285;
-        const Scalar e714 = e211 - e216 - e219;
-        const Scalar e715 = (Scalar(1) / Scalar(6)) * e334;
-        const Scalar e716 = q_4_dot * e154 - q_4_dot * e158;
-        const Scalar e717 = e702 + e6 * e203;
-        const Scalar e718 = dxdt[7] * e14 - dxdt[7] * e15;
-        const Scalar e719 = cos_q_2 * (q_2_dot * e345 + c_.k64 * e208 * e208 - c_.k63 * e56);
-        const Scalar e720 = e367 * e176 - e366 * e176 + e5 * e693 + e6 * e693 + cos_q_5 * e610 * e694 - e14 * e60 * e694 - e610
-            * (e154 * e70 + e262 + e263 + e264 - e265 - e267 + e268 - e695) - e15
-            * (e418 - e419 - e421 + q_1_dot * e303 - e696 + e697 + e698) + e609
-            * (e262 + e263 + e264 - e265 - e267 + e268 - e695) - e14 * e73 * e242 + e14
-            * (e418 - e419 - e421 - e696 + e697 + e698) - e640 * e622 - e642 * e622 - cos_q_5 * e5 * e699 - cos_q_5 * e6 * e699
-            + sin_q_5 * e610 * e699 + q_3_dot * (sin_q_5 * e203 * e639 + e700 + e701 + e703) + e624
-            * (e704 + e705 - e706 + e707) + e66 * e708 + q_1_dot * e18 * e708 + sin_q_5 * e5 * e709 + sin_q_5 * e6 * e709
-            - c_.k10 * e10 * e710 + e5 * e294 * e711 + e6 * e294 * e711 - cos_q_5 * e203 * e710 - e49 * e237 * e710 + q_2_dot
-            * (e700 + e701 + e703) + e154 * e712 - e158 * e712 + e625 * (e704 + e705 - e706) + e24 * e713 + q_1_dot * e5 * e713
-            - e610 * e310 * e714 + e14 * e290 * e714 - e11 * (e700 + e701) - e715 * (e314 - e208 * e346) + e617 * e641 + e611
-            * e716 - e613 * e716 + e70 * e717 + e428 * e718 + e436 * e718 - e626 * (e704 + e707) - e23 * e49 * e717 - c_.k68
-            * dxdt[6] - e627 * e704 + cos_q_2 * e203 * e540 + e209 * e343 + e30 * e303 - (Scalar(1) / Scalar(12)) * p_.m_2
-            * e719 + e282 * e638;
-        const Scalar e721 = e16 * e152;
-        const Scalar e722 = q_4_dot * e53 + e522;
-        const Scalar e723 = e11 * e721;
-        const Scalar e724 = cos_q_4 * e721 * e51 + e294 * e395 - (e23 * e152 * e76 - e7 * e157 * e47);
-        const Scalar e725 = e49 * e723 - e61 * e652 + e724;
-        const Scalar e726 = e721 * e722 - e725;
-        const Scalar e727 = e296 * e395 + e691 * e336 - (e83 * e652 - e76 * e491);
-        const Scalar e728 = cos_q_4 * e47;
-        const Scalar e729 = e728 - e518;
-        const Scalar e730 = e7 * e152 * e70 - e652 * e73 - (e729 * e721 + (e299 * e395 + cos_q_5 * e723));
-        const Scalar e731 = e54 + e395;
-        const Scalar e732 = e7 * e691;
-        const Scalar e733 = e152 * e97;
-        const Scalar e734 = e17 * e444;
-        const Scalar e735 = q_4_dot * e721;
-        const Scalar e736 = e10 * (e444 * e428 + e449) - e679 * (e428 + e436) + e122 * e726 - e125 * e727 + e215 * e730 - e731
-            * e422 - e715 * e448 - e660 * e732 + e657 * e733 + e439 * e734 + e653 * e735 + e17 * e452;
-        const Scalar e737 = e736 - e380 * e720;
-        const Scalar e738 = e10 * (e475 - e473) - e110 * (e725 - e721 * e522) - e417 * e679 - c_.k18 * e731 - e114 * e727
-            + e218 * e730 - e477 * e732 + e17 * e502 + e482 * e733 + e484 * e734 + e503 * e735;
-        const Scalar e739 = e738 - e505 * e720 - e469 * e737;
-        const Scalar e740 = e234 * e729;
-        const Scalar e741 = e539 + e542;
-        const Scalar e742 = e73 * e17;
-        const Scalar e743 = e17 * (q_4_dot * e524 - e740) + q_1_dot * e97 * e531 + e10 * e535 + e679 * e741 - e731 * e681
-            - e117 * e726 + e106 * e77 * e526 + e732 * e536 - e541 * e742;
-        const Scalar e744 = e743 - e543 * e720 - e544 * e737 - e517 * e739;
-        const Scalar e745 = e2 * (e23 * e61 - e729);
-        const Scalar e746 = cos_q_4 * e17;
-        const Scalar e747 = e17 * (sin_q_4 * e568 + e745) + e731 * e560 - e10 * e564 + e679 * e571 - e566 * e746 + e565 * e742;
-        const Scalar e748 = e747 - e574 * e720 - e575 * e737 - e576 * e739 - e559 * e744;
-        const Scalar e749 = c_.k22 * e61;
-        const Scalar e750 = e234 * e731 + e10 * e590 - c_.k22 * e17 * e722 - e588 * e77 + e679 * e749 + e592 * e746;
-        const Scalar e751 = e750 - e596 * e720 - e597 * e737 - e598 * e739 - e599 * e744 - e587 * e748;
-        const Scalar e752 = e751 * inverse_601;
-        const Scalar e753 = e748 * inverse_580 - e587 * e752;
-        const Scalar e754 = e744 * inverse_549 - e559 * e753 - e599 * e752;
-        const Scalar e755 = e739 * inverse_509 - e517 * e754 - e576 * e753 - e598 * e752;
-        const Scalar e756 = e737 * inverse_465 - e469 * e755 - e544 * e754 - e575 * e753 - e597 * e752;
-        const Scalar e757 = q_4_dot * e21 + cos_q_4 * e54;
-        const Scalar e758 = (Scalar(1) / Scalar(25)) * e414;
-        const Scalar e759 = (Scalar(4) / Scalar(25)) * p_.m_4;
-        const Scalar e760 = (Scalar(1) / Scalar(50)) * e414;
-        const Scalar e761 = e18 * e760;
-        const Scalar e762 = (Scalar(8) / Scalar(25)) * p_.m_4;
-        const Scalar e763 = dxdt[6] * e762;
-        const Scalar e764 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e757 * e758 + e150
-            * e759 + e21 * e761 - e169 * e763;
-        const Scalar e765 = (Scalar(4) / Scalar(5)) * e173;
-        const Scalar e766 = e21 * e765;
-        const Scalar e767 = e13 * e765;
-        const Scalar e768 = e7 * e52;
-        const Scalar e769 = e169 * e759;
-        const Scalar e770 = e618 + e619 + e620 + e621 + e55 * e769 + e62 * e769;
-        const Scalar e771 = (Scalar(1) / Scalar(18)) * p_.m_3;
-        const Scalar e772 = e771 * e226;
-        const Scalar e773 = e11 * e60;
-        const Scalar e774 = e243 * e12 - e256 * e12 + e269 * e773 + e279 * e773;
-        const Scalar e775 = sin_q_4 * e769;
-        const Scalar e776 = e266 * e759;
-        const Scalar e777 = cos_q_4 * e776;
-        const Scalar e778 = e775 - e777 + e375 - e291;
-        const Scalar e779 = q_5_dot * e11;
-        const Scalar e780 = e73 * e779;
-        const Scalar e781 = dxdt[7] * e60;
-        const Scalar e782 = dxdt[8] * e60;
-        const Scalar e783 = e52 * e84;
-        const Scalar e784 = q_4_dot * e13 + sin_q_4 * e54;
-        const Scalar e785 = e784 * e758 + e261 * e759 + e13 * e761 - e266 * e763;
-        const Scalar e786 = cos_q_4 * e84;
-        const Scalar e787 = e786 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
-        const Scalar e788 = e7 * e74;
-        const Scalar e789 = e7 * e395;
-        const Scalar e790 = e336 * e10;
-        const Scalar e791 = e17 * e357 + c_.k11 * (e11 * e7);
-        const Scalar e792 = e335 * e17;
-        const Scalar e793 = e16 * e413;
-        const Scalar e794 = e55 * e357 + e62 * e357;
-        const Scalar e795 = e55 * e776 + e62 * e776;
-        const Scalar e796 = e775 - e777;
-        const Scalar e797 = c_.k11 * e5 + c_.k11 * e6;
-        const Scalar e798 = e73 * e647;
-        const Scalar e799 = e11 * e16;
-        const Scalar e800 = (Scalar(11) / Scalar(75)) * e415 * e10;
-        const Scalar e801 = dxdt[6] * e364;
-        const Scalar e802 = e167 * (e155 - e156 - e159 + e160 - e164 + e166 + e11 * e766 + e10 * e767);
-        const Scalar e803 = e623 * e612 - e617 * e764 - e639 * e764 + e629 * e612 + e802 - e768 * e616 - e610 * e770 + e609
-            * e770 - e5 * (e213 - e217 - e220 - c_.k5 * e614 + e772) - e8 * (e263 + e264 - e265 + e10 * e766 - e11 * e767)
-            + q_6_dot * e774 + dxdt[7] * e778 + dxdt[8] * e778 - e42 * e774 - e6 * (e213 - e217 - e220 + e772) + e611 * e628
-            - e613 * e628 + e243 * (e780 - e781 - e782 + e783) - e640 * e785 - e642 * e785 + e339 * e710 + e74 * e5 * e630
-            + e74 * e6 * e630 + e7 * e631 + e256 * (e781 + e782 - e783) + e269 * e787 + e279 * e787 - e788 * e636 + e12
-            * (e18 * e776 - e320 + e321) - c_.k77 * (e789 + e790) - q_2_dot * e791 - q_3_dot * e791 + (Scalar(1) / Scalar(50))
-            * p_.d_4 * e397 * (e792 - e793) - e14 * e794 + e15 * e794 + e366 * e795 - e367 * e795 + e84
-            * (sin_q_4 * e776 + e348) + e769 * (e786 + e18 * e20) - e87 * e796 + e773 * e322 - e10_squared * e797 - e798 * e646
-            - dxdt[6] * e758 * e356 - e18 * e10 * e796 - e17 * e17 * e797 + dxdt[9] * e16 * e760 + c_.k5 * e338 * e24 - cos_q_4
-            * e295 * e779 - e799 * e800 - e162 * e647 * e728 - (Scalar(2) / Scalar(25)) * e414 * e801;
-        const Scalar e804 = e10 * e445 + e671;
-        const Scalar e805 = e11 * e11 + e10_squared;
-        const Scalar e806 = (Scalar(17) / Scalar(25)) * e414 + (Scalar(7) / Scalar(36)) * e415;
-        const Scalar e807 = e377 * e759;
-        const Scalar e808 = e84 + e395;
-        const Scalar e809 = p_.m_6 * e808 + e723;
-        const Scalar e810 = dxdt[6] * e376 - (cos_q_4 * e261 - sin_q_4 * e150);
-        const Scalar e811 = e647 * e522 - (q_5_dot * cos_q_4 * e634 + e7 * e495);
-        const Scalar e812 = e53 * e809 + e811;
-        const Scalar e813 = p_.m_6 * e665 - e184;
-        const Scalar e814 = p_.m_6 * dxdt[8] + dxdt[7] * e136;
-        const Scalar e815 = e122 * e814;
-        const Scalar e816 = e813 + (p_.m_6 * e111 + e815);
-        const Scalar e817 = p_.m_6 * e666 + e107;
-        const Scalar e818 = e817 - (p_.m_6 * e115 + e125 * e814);
-        const Scalar e819 = dxdt[7] * e377;
-        const Scalar e820 = e61 * e647;
-        const Scalar e821 = sin_q_4 * e8 + e180 * e60;
-        const Scalar e822 = cos_q_4 * e784;
-        const Scalar e823 = e822 - sin_q_4 * e757;
-        const Scalar e824 = e7 * ((Scalar(4) / Scalar(5)) * e381) - (Scalar(1) / Scalar(6)) * e446 * e7;
-        const Scalar e825 = c_.k11 * e413 + e758 * e823 + (e445 * e761 - (dxdt[10] * e571 - e17 * e800));
-        const Scalar e826 = e824 + (e4 * e821 + e73 * e667) - e825;
-        const Scalar e827 = dxdt[7] * e374;
-        const Scalar e828 = e215 * e814;
-        const Scalar e829 = e17 * e10;
-        const Scalar e830 = e729 * e647;
-        const Scalar e831 = e10 * e333;
-        const Scalar e832 = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e804 - c_.k48 * e805) - dxdt[8] * (e806 + e461 - e807)
-            - dxdt[7] * (e758 + (Scalar(1) / Scalar(6)) * e415) + c_.k5 * e420 + e809 * e653 - e759 * e810 + e7 * e654 - e290
-            * e656 + e122 * e812 + e662 * e798 + e61 * e816 - e83 * e818 + e762 * e819 + e657 * e820 - e405 * e780 - e826
-            - e771 * e827 - e73 * e828 + e461 * e829 - e215 * e830 - e807 * e831;
-        const Scalar e833 = e832 - e380 * e803;
-        const Scalar e834 = p_.m_6 * dxdt[7] + dxdt[8] * e136;
-        const Scalar e835 = e827 - e420;
-        const Scalar e836 = e819 - e810;
-        const Scalar e837 = p_.m_6 * e126 - e817;
-        const Scalar e838 = p_.m_6 * e123 + e813;
-        const Scalar e839 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e414 + (Scalar(2) / Scalar(9)) * e415);
-        const Scalar e840 = e809 * e503 - e218 * (e73 * e834 + e830) - dxdt[7] * e806 - e839 - c_.k5 * e835 + e7 * e493 + e110
-            * e811 + e759 * e836 + e834 * e480 + (Scalar(4) / Scalar(5)) * e484 * e804 - c_.k53 * e805 - e290 * e674 + e83
-            * e837 + e61 * e838 + e470 * e798 + e482 * e820 - e826 - e780 * e471 + c_.k19 * e829 + (Scalar(16) / Scalar(25))
-            * e414 * e831;
-        const Scalar e841 = e840 - e505 * e803 - e469 * e833;
-        const Scalar e842 = e808 + e54;
-        const Scalar e843 = dxdt[9] - e413;
-        const Scalar e844 = q_1_dot * e335 + e843;
-        const Scalar e845 = e11 * (e61 * e531 - e740) - e680 * (e61 * e510 + e741) + e842 * e524 + e10 * e528 - e117 * e812
-            - e760 * e844 - e798 * e532 + e75 * e527;
-        const Scalar e846 = e845 - e543 * e803 - e544 * e833 - e517 * e841;
-        const Scalar e847 = e87 - e680;
-        const Scalar e848 = cos_q_4 * e847 + sin_q_4 * e842;
-        const Scalar e849 = e534 * e848 + e13 * e567 - e21 * e566 + e75 * e565 + e10 * e569 + e11 * e745;
-        const Scalar e850 = e849 - e574 * e803 - e575 * e833 - e576 * e841 - e559 * e846;
-        const Scalar e851 = e21 * e592 - e75 * e588 - c_.k22 * e11 * e522 - e842 * e595 - e680 * e749 + e10 * e593;
-        const Scalar e852 = e851 - e596 * e803 - e597 * e833 - e598 * e841 - e599 * e846 - e587 * e850;
-        const Scalar e853 = e852 * inverse_601;
-        const Scalar e854 = e850 * inverse_580 - e587 * e853;
-        const Scalar e855 = e846 * inverse_549 - e559 * e854 - e599 * e853;
-        const Scalar e856 = e841 * inverse_509 - e517 * e855 - e576 * e854 - e598 * e853;
-        const Scalar e857 = e833 * inverse_465 - e469 * e856 - e544 * e855 - e575 * e854 - e597 * e853;
-        const Scalar e858 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
-        const Scalar e859 = p_.a_2 * p_.a_2;
-        const Scalar e860 = p_.d_3 * p_.d_3;
-        const Scalar e861 = (Scalar(181) / Scalar(900)) * e859;
-        const Scalar e862 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e859 + (Scalar(1) / Scalar(4)) * e860);
-        const Scalar e863 = (Scalar(1) / Scalar(18)) * p_.a_2 * e347 - e858 * (e314 + sin_q_2 * e450) - e862
-            - (Scalar(1) / Scalar(12)) * p_.d_3 * e719 + (Scalar(9) / Scalar(50)) * e859 * e349 - e861 * e352;
-        const Scalar e864 = p_.a_2 * p_.g;
-        const Scalar e865 = cos_q_2 * ((Scalar(1) / Scalar(3)) * e864) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e859) - e858
-            * e448 - e861 * e450;
-        const Scalar e866 = e865 - e380 * e863;
-        const Scalar e867 = -e505 * e863 - e469 * e866;
-        const Scalar e868 = -e543 * e863 - e544 * e866 - e517 * e867;
-        const Scalar e869 = -e574 * e863 - e575 * e866 - e576 * e867 - e559 * e868;
-        const Scalar e870 = (-e596 * e863 - e597 * e866 - e598 * e867 - e599 * e868 - e587 * e869) * inverse_601;
-        const Scalar e871 = e869 * inverse_580 - e587 * e870;
-        const Scalar e872 = e868 * inverse_549 - e559 * e871 - e599 * e870;
-        const Scalar e873 = e867 * inverse_509 - e517 * e872 - e576 * e871 - e598 * e870;
-        const Scalar e874 = e866 * inverse_465 - e469 * e873 - e544 * e872 - e575 * e871 - e597 * e870;
-        const Scalar e875 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
-        const Scalar e876 = (Scalar(1) / Scalar(6)) * p_.d_3;
-        const Scalar e877 = p_.a_3 * p_.d_3;
-        const Scalar e878 = p_.d_4 * p_.d_4;
-        const Scalar e879 = (Scalar(1) / Scalar(100)) * e878;
-        const Scalar e880 = p_.d_3 * e7 * e398 + (dxdt[8] * e7 * e877 - e879 * e792);
-        const Scalar e881 = (Scalar(1) / Scalar(12)) * e878;
-        const Scalar e882 = (Scalar(11) / Scalar(150)) * e878 * e10;
-        const Scalar e883 = e16 * (dxdt[8] * e875 + e876 * e835) - e225 * ((Scalar(1) / Scalar(36)) * (e226 - e614)) - e7
-            * e384 * e876 - e880 - (e881 + e860) * e789 - e881 * e790 - e799 * e882 - (e879 + e860) * e793;
-        const Scalar e884 = (Scalar(1) / Scalar(36)) * p_.d_4;
-        const Scalar e885 = p_.d_4 * p_.g;
-        const Scalar e886 = p_.a_3 * p_.g;
-        const Scalar e887 = e886 * e16;
-        const Scalar e888 = (Scalar(1) / Scalar(6)) * e885 * e7 + (e887 + e17 * e882);
-        const Scalar e889 = e120 * (e398 + (p_.a_3 * dxdt[8] + p_.d_3 * e395));
-        const Scalar e890 = e374 * (dxdt[8] * e884 + (Scalar(1) / Scalar(36)) * e835 - e876 * e413);
-        const Scalar e891 = cos_q_2 * e864 - e890 - (Scalar(1) / Scalar(6)) * e120 * e384 - e881 * e680 + e888 - e889;
-        const Scalar e892 = e891 - e380 * e883;
-        const Scalar e893 = p_.a_3 * p_.a_3;
-        const Scalar e894 = p_.a_3 * e398 + e877 * e395;
-        const Scalar e895 = e875 * e413 - dxdt[7] * e881 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e878 + e893) - e384
-            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e884 * e835 - e894 + e888;
-        const Scalar e896 = e895 - e505 * e883 - e469 * e892;
-        const Scalar e897 = -e543 * e883 - e544 * e892 - e517 * e896;
-        const Scalar e898 = -e574 * e883 - e575 * e892 - e576 * e896 - e559 * e897;
-        const Scalar e899 = (-e596 * e883 - e597 * e892 - e598 * e896 - e599 * e897 - e587 * e898) * inverse_601;
-        const Scalar e900 = e898 * inverse_580 - e587 * e899;
-        const Scalar e901 = e897 * inverse_549 - e559 * e900 - e599 * e899;
-        const Scalar e902 = e896 * inverse_509 - e517 * e901 - e576 * e900 - e598 * e899;
-        const Scalar e903 = e892 * inverse_465 - e469 * e902 - e544 * e901 - e575 * e900 - e597 * e899;
-        const Scalar e904 = p_.d_3 * p_.g;
-        const Scalar e905 = e904 * e7;
-        const Scalar e906 = (Scalar(1) / Scalar(50)) * e878;
-        const Scalar e907 = e784 * e8;
-        const Scalar e908 = e904 * e16;
-        const Scalar e909 = (Scalar(4) / Scalar(25)) * p_.d_4;
-        const Scalar e910 = dxdt[8] * e909;
-        const Scalar e911 = e18 * e879;
-        const Scalar e912 = e16 * (e879 * e843 + e905) - e906 * (dxdt[6] * e356 + e757 * e167 + e907) - e7
-            * (e386 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e908) + e376 * ((Scalar(1) / Scalar(25)) * e819 - e910)
-            + (Scalar(1) / Scalar(25)) * e169 * e150 + (Scalar(1) / Scalar(25)) * e266 * e261 - (Scalar(1) / Scalar(25))
-            * dxdt[6] * e358 - e880 - e860 * e789 - e7 * e444 * e911 - (Scalar(1) / Scalar(25)) * e878 * e801;
-        const Scalar e913 = cos_q_3 * e864 + e886;
-        const Scalar e914 = e906 * e823 - (e7 * ((Scalar(4) / Scalar(5)) * e885) - e445 * e911);
-        const Scalar e915 = sin_q_3 * e7 * e864 - e377 * ((Scalar(1) / Scalar(25)) * e836 - e910) - (Scalar(1) / Scalar(5))
-            * e120 * e386 - e906 * e680 + e16 * e913 + e914 - e889;
-        const Scalar e916 = e915 - e380 * e912;
-        const Scalar e917 = e16 * e886 - dxdt[7] * e906 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e878 + e893) - e386
-            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e909 * e836 - e894 + e914;
-        const Scalar e918 = e917 - e505 * e912 - e469 * e916;
-        const Scalar e919 = -e879 * e844 - e543 * e912 - e544 * e916 - e517 * e918;
-        const Scalar e920 = -e574 * e912 - e575 * e916 - e576 * e918 - e559 * e919;
-        const Scalar e921 = (-e596 * e912 - e597 * e916 - e598 * e918 - e599 * e919 - e587 * e920) * inverse_601;
-        const Scalar e922 = e920 * inverse_580 - e587 * e921;
-        const Scalar e923 = e919 * inverse_549 - e559 * e922 - e599 * e921;
-        const Scalar e924 = e918 * inverse_509 - e517 * e923 - e576 * e922 - e598 * e921;
-        const Scalar e925 = e916 * inverse_465 - e469 * e924 - e544 * e923 - e575 * e922 - e597 * e921;
-        const Scalar e926 = p_.c_z * sin_q_6;
-        const Scalar e927 = e123 + e111;
-        const Scalar e928 = e927 + e665;
-        const Scalar e929 = p_.c_x * dxdt[11] + dxdt[10] * e926 - e928;
-        const Scalar e930 = dxdt[10] * cos_q_6;
-        const Scalar e931 = dxdt[9] * e49;
-        const Scalar e932 = e930 + e931;
-        const Scalar e933 = e216 + e219;
-        const Scalar e934 = e655 + e933;
-        const Scalar e935 = p_.c_x * e932 + e934;
-        const Scalar e936 = e126 + e115;
-        const Scalar e937 = e666 - e936;
-        const Scalar e938 = p_.c_z * e932 + e937;
-        const Scalar e939 = p_.c_z * p_.g;
-        const Scalar e940 = e16 * e788 + e768 * e167;
-        const Scalar e941 = p_.c_x * p_.g;
-        const Scalar e942 = e232 * e941;
-        const Scalar e943 = e180 * e939;
-        const Scalar e944 = e232 * e864;
-        const Scalar e945 = e180 * e864;
-        const Scalar e946 = sin_q_5 * e180;
-        const Scalar e947 = e180 * e49 + cos_q_6 * e788;
-        const Scalar e948 = e941 * e947;
-        const Scalar e949 = e864 * e8;
-        const Scalar e950 = cos_q_5 * sin_q_6;
-        const Scalar e951 = cos_q_6 * e768;
-        const Scalar e952 = e941 * (e180 * e950 + e951);
-        const Scalar e953 = e135 * e929 - (e887 - e885 * e7) * (e232 * e74 + e180 * e52 - cos_q_4 * e8) - e232 * e904 * e76
-            - e162 * e935 - e143 * e938 - e939 * e940 + e141 * e942 + e8 * e943 - e161 * e944 - e177 * e945 - e821 * e908
-            + e946 * e905 - e167 * e948 + e1 * e949 + e16 * e952;
-        const Scalar e954 = cos_q_5 * e232 - e946;
-        const Scalar e955 = e939 * e52 * e8 + e885 * e821
-            + (e53 * e942 + cos_q_4 * e943 + (e232 * e885 * e73 + sin_q_4 * e948));
-        const Scalar e956 = e122 * e929 - e215 * e935 + e125 * e938 - e954 * e913 - e955 + e207 * e944 + e254 * e945 + e276
-            * e949;
-        const Scalar e957 = e956 - e380 * e953;
-        const Scalar e958 = e110 * e929 - e886 * e954 - e218 * e935 + e114 * e938 - e955 - e505 * e953 - e469 * e957;
-        const Scalar e959 = p_.c_z * p_.c_z;
-        const Scalar e960 = p_.c_x * p_.c_x;
-        const Scalar e961 = e959 + e960;
-        const Scalar e962 = p_.c_z * e937 + (p_.c_x * e934 + e942);
-        const Scalar e963 = e939 * e788 - e49 * (e961 * e932 + e962) - e117 * e929 - e952 - e543 * e953 - e544 * e957 - e517
-            * e958;
-        const Scalar e964 = sin_q_6 * (p_.c_x * p_.c_z);
-        const Scalar e965 = e928 * e926 - cos_q_6 * (e962 + e960 * e930 + e961 * e931) - dxdt[10] * e959 - e943 - dxdt[11]
-            * e964;
-        const Scalar e966 = e965 - e574 * e953 - e575 * e957 - e576 * e958 - e559 * e963;
-        const Scalar e967 = p_.c_x * e928 - e941 * (sin_q_6 * e180 + cos_q_6 * e8) - dxdt[11] * e960 - dxdt[10] * e964;
-        const Scalar e968 = e967 - e596 * e953 - e597 * e957 - e598 * e958 - e599 * e963 - e587 * e966;
-        const Scalar e969 = e968 * inverse_601;
-        const Scalar e970 = e966 * inverse_580 - e587 * e969;
-        const Scalar e971 = e963 * inverse_549 - e559 * e970 - e599 * e969;
-        const Scalar e972 = e958 * inverse_509 - e517 * e971 - e576 * e970 - e598 * e969;
-        const Scalar e973 = e957 * inverse_465 - e469 * e972 - e544 * e971 - e575 * e970 - e597 * e969;
-        const Scalar e974 = dxdt[11] + e72;
-        const Scalar e975 = p_.m_6 * e974 + dxdt[9] * e299;
-        const Scalar e976 = e19 * e104 - e22 * e92;
-        const Scalar e977 = q_4_dot * e152;
-        const Scalar e978 = e7 * e977;
-        const Scalar e979 = p_.m_6 * e680 - e978;
-        const Scalar e980 = e23 * e976 - e74 * e979;
-        const Scalar e981 = e104 * e80 + e92 * e88;
-        const Scalar e982 = dxdt[9] + e82;
-        const Scalar e983 = dxdt[10] * e92 + e294 * e982;
-        const Scalar e984 = e983 - (q_4_dot * e820 - e53 * e979);
-        const Scalar e985 = e16 * e294 + p_.m_6 * e140;
-        const Scalar e986 = p_.m_6 * e42;
-        const Scalar e987 = e664 - e927;
-        const Scalar e988 = dxdt[10] * e106 + e4 * e947;
-        const Scalar e989 = e441 * e950 + e4 * e951;
-        const Scalar e990 = e16 * e234;
-        const Scalar e991 = e135 * e647;
-        const Scalar e992 = e16 * e987;
-        const Scalar e993 = e135 * (e975 - e980) + e162 * (e981 - e984) + e141 * (e233 + e236) - e985 * (e211 - e933) - e130
-            * (e138 - e184) + e986 * (e165 - e305) + e140 * (e231 + e235) + e11 * e76 * e237 - e7 * e987 * e290 + e976 * e239
-            - e988 * e167 + e16 * e989 + e203 * e98 + e932 * e990 + e228 * e991 + e299 * e992;
-        const Scalar e994 = e49 * e652 + e53 * e978 + (e61 * e809 - e983);
-        const Scalar e995 = cos_q_5 * e652 - e73 * e809;
-        const Scalar e996 = e975 - (e995 + e788 * e977);
-        const Scalar e997 = e74 * e184 - e665 * e212 + (sin_q_4 * e988 + e53 * e668);
-        const Scalar e998 = p_.m_6 * e53;
-        const Scalar e999 = e215 * (e981 + e994) + e986 * (e407 + e451) + e111 * e212 - e976 * e662 + e122 * e996 - e997 - e656
-            * e998 + e74 * e815 - e53 * e828;
-        const Scalar e1000 = e999 - e380 * e993;
-        const Scalar e1001 = e53 * e834 - e994;
-        const Scalar e1002 = e110 * e834;
-        const Scalar e1003 = e218 * (e981 - e1001) + e986 * (e114 * e42 + e481) - e976 * e470 + e123 * e212 + e110 * e996
-            - e997 - e674 * e998 + e74 * e1002;
-        const Scalar e1004 = e1003 - e505 * e993 - e469 * e1000;
-        const Scalar e1005 = e61 * e842 + e53 * e847;
-        const Scalar e1006 = e49 * e679 - e1005;
-        const Scalar e40_squared = e40 * e40;
-        const Scalar e1007 = e42 * e42 + e40_squared;
-        const Scalar e1008 = c_.k96 * e932 + e233;
-        const Scalar e1009 = e927 + (e663 - e91);
-        const Scalar e1010 = e117 * (e995 + e980) - e234 * (e96 + e1006) - cos_q_5 * e184 - e294 * e934 - e974 * e510 - e106
-            * e1007 - e989 - e49 * e1008 + e299 * e1009 - e118 * e661 + e42 * e530;
-        const Scalar e1011 = e1010 - e543 * e993 - e544 * e1000 - e517 * e1004;
-        const Scalar e1012 = e23 * e40;
-        const Scalar e1013 = dxdt[9] * cos_q_5;
-        const Scalar e1014 = e2 * (e95 + e1005) - e550 * (dxdt[11] + e1012 + e1013 + e71) - e106
-            * (q_5_dot * e18 + cos_q_4 * e842 - sin_q_4 * e847) - e679 * e562 - e92 * e934 - cos_q_6 * e1008 - e1007 * e552
-            + e42 * e572 - e82 * e561;
-        const Scalar e1015 = e1014 - e574 * e993 - e575 * e1000 - e576 * e1004 - e559 * e1011;
-        const Scalar e1016 = e19 * e589 - e22 * e2;
-        const Scalar e1017 = p_.m_6 * e928 - c_.k22 * (cos_q_5 * e679 + e73 * e842 + e72 - e74 * e847 + e1013) - c_.k96
-            * dxdt[11] - sin_q_6 * e441 - cos_q_6 * e9 + e23 * e1016;
-        const Scalar e1018 = e1017 - e596 * e993 - e597 * e1000 - e598 * e1004 - e599 * e1011 - e587 * e1015;
-        const Scalar e1019 = e1018 * inverse_601;
-        const Scalar e1020 = e1015 * inverse_580 - e587 * e1019;
-        const Scalar e1021 = e1011 * inverse_549 - e559 * e1020 - e599 * e1019;
-        const Scalar e1022 = e1004 * inverse_509 - e517 * e1021 - e576 * e1020 - e598 * e1019;
-        const Scalar e1023 = e1000 * inverse_465 - e469 * e1022 - e544 * e1021 - e575 * e1020 - e597 * e1019;
-        const Scalar e1024 = e19 * e92 + e22 * e104;
-        const Scalar e1025 = dxdt[10] * e104 + e92 * e79;
-        const Scalar e1026 = e296 * e982 - e1025;
-        const Scalar e1027 = e86 * e979 - e476 * e976;
-        const Scalar e1028 = e143 * (e476 * e1024 - e984 + e152 * e98) - e135 * (e1026 - e1027 - e83 * e723) + e141
-            * (e107 + e144) - e985 * (e103 + e936) - e131 * (e184 + p_.m_6 * e987) - e976 * e163 + e165 * e1024 + e138 * e132
-            + e269 * e79 - e4 * e940 + e441 * e8 - sin_q_5 * e191 * e335 - e3 * e178 + e489 * e991 - e296 * e992;
-        const Scalar e1029 = cos_q_4 * e441 + e52 * e9;
-        const Scalar e1030 = e296 * e413 - e691 * e335;
-        const Scalar e1031 = e83 * e809;
-        const Scalar e1032 = e1026 - (e1030 - (e86 * e978 - e1031));
-        const Scalar e1033 = e657 * e1024 - e976 * e660 - e125 * e994 - e79 * e409 - e1029 + e86 * e816 - e53 * e818 - e122
-            * e1032;
-        const Scalar e1034 = e1033 - e380 * e1028;
-        const Scalar e1035 = e86 * (e838 + e1002) - e114 * (e104 * e79 - e1001) - e976 * e477 + e482 * e1024 + e53 * e837
-            - e1029 - e110 * e1032;
-        const Scalar e1036 = e1035 - e505 * e1028 - e469 * e1034;
-        const Scalar e1037 = e106 * (sin_q_6 * e79 - e1006 - e930 - e94) - e117 * (e1025 + e1030 + e1027 - e296 * e82 + e1031)
-            - e294 * e937 + e531 * e23 + e4 * e788 + sin_q_5 * e3 - e296 * e1009 + e118 * e400 - c_.k95 * e49 * e931 + e234
-            * e40_squared;
-        const Scalar e1038 = e1037 - e543 * e1028 - e544 * e1034 - e517 * e1036;
-        const Scalar e1039 = e104 * e928 - c_.k95 * dxdt[10] - e92 * e937 - e181 - e183 - e185 + c_.k21 * e848 + e19 * e567
-            + e23 * e572 + e2 * e40_squared;
-        const Scalar e1040 = e1039 - e574 * e1028 - e575 * e1034 - e576 * e1036 - e559 * e1038;
-        const Scalar e1041 = c_.k22 * e83;
-        const Scalar e1042 = c_.k22 * e86;
-        const Scalar e1043 = e533 * (e679 + e982) - e2 * e79 + e476 * e1016 - dxdt[10] * e589 - e842 * e1041 + e847 * e1042;
-        const Scalar e1044 = e1043 - e596 * e1028 - e597 * e1034 - e598 * e1036 - e599 * e1038 - e587 * e1040;
-        const Scalar e1045 = e1044 * inverse_601;
-        const Scalar e1046 = e1040 * inverse_580 - e587 * e1045;
-        const Scalar e1047 = e1038 * inverse_549 - e559 * e1046 - e599 * e1045;
-        const Scalar e1048 = e1036 * inverse_509 - e517 * e1047 - e576 * e1046 - e598 * e1045;
-        const Scalar e1049 = e1034 * inverse_465 - e469 * e1048 - e544 * e1047 - e575 * e1046 - e597 * e1045;
-        const Scalar e1050 = -dxdt[6];
-        const Scalar e1051 = -e380 * e1050;
-        const Scalar e1052 = -e505 * e1050 - e469 * e1051;
-        const Scalar e1053 = -e543 * e1050 - e544 * e1051 - e517 * e1052;
-        const Scalar e1054 = -e574 * e1050 - e575 * e1051 - e576 * e1052 - e559 * e1053;
-        const Scalar e1055 = -e596 * e1050 - e597 * e1051 - e598 * e1052 - e599 * e1053 - e587 * e1054;
-        const Scalar e1056 = e1055 * inverse_601;
-        const Scalar e1057 = e1054 * inverse_580 - e587 * e1056;
-        const Scalar e1058 = e1053 * inverse_549 - e559 * e1057 - e599 * e1056;
-        const Scalar e1059 = e1052 * inverse_509 - e517 * e1058 - e576 * e1057 - e598 * e1056;
-        const Scalar e1060 = e1051 * inverse_465 - e469 * e1059 - e544 * e1058 - e575 * e1057 - e597 * e1056;
-        const Scalar e1061 = dxdt[11] + e1012;
-        const Scalar e1062 = dxdt[6] * e130 - e78;
-        const Scalar e1063 = e1061 - Scalar(2) * e1062;
-        const Scalar e1064 = -e99;
-        const Scalar e1065 = dxdt[6] * e141 + e1064;
-        const Scalar e1066 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
-        const Scalar e1067 = e89 - e40 * e42;
-        const Scalar e1068 = e371 - (Scalar(1) / Scalar(2)) * e372;
-        const Scalar e1069 = e130 * (e1063 + Scalar(2) * e1013) - dxdt[6] * (e360 + Scalar(2) * e368) + e141
-            * (Scalar(2) * (e932 - e1065)) - e359 * e1066 - e132 * e1067 + dxdt[10] * e551 + dxdt[9] * e513 + Scalar(2) * e680
-            * e1068 - e907;
-        const Scalar e1070 = e53 * e680;
-        const Scalar e1071 = e53 * (Scalar(2) * (e1064 - e932 - e1070)) - e74 * (Scalar(2) * e78 + e1061) - e680
-            * (Scalar(1) + e458) - e1066 * e52 - dxdt[9] * e511 - dxdt[10] * e554 - e86 * e1067 + Scalar(2) * dxdt[6] * e1068
-            + e822;
-        const Scalar e1072 = e1071 - e380 * e1069;
-        const Scalar e1073 = e1071 - e505 * e1069 - e469 * e1072;
-        const Scalar e1074 = e1065 - ((Scalar(1) / Scalar(2)) * e932 + e1070);
-        const Scalar e1075 = sin_q_5 * e1066 - Scalar(2) * dxdt[9] - e680 * e511 + e81 * e1067 + dxdt[6] * e513 - cos_q_5
-            * e1063 + Scalar(2) * e49 * e1074;
-        const Scalar e1076 = e1075 - e543 * e1069 - e544 * e1072 - e517 * e1073;
-        const Scalar e1077 = e784 - Scalar(2) * dxdt[10] - e680 * e554 - sin_q_6 * e1067 + dxdt[6] * e551 + Scalar(2) * cos_q_6
-            * e1074;
-        const Scalar e1078 = e1077 - e574 * e1069 - e575 * e1072 - e576 * e1073 - e559 * e1076;
-        const Scalar e1079 = e1062 - e74 * e680 - e1061 - e1013 - e596 * e1069 - e597 * e1072 - e598 * e1073 - e599 * e1076
-            - e587 * e1078;
-        const Scalar e1080 = e1079 * inverse_601;
-        const Scalar e1081 = e1078 * inverse_580 - e587 * e1080;
-        const Scalar e1082 = e1076 * inverse_549 - e559 * e1081 - e599 * e1080;
-        const Scalar e1083 = e1073 * inverse_509 - e517 * e1082 - e576 * e1081 - e598 * e1080;
-        const Scalar e1084 = e1072 * inverse_465 - e469 * e1083 - e544 * e1082 - e575 * e1081 - e597 * e1080;
+        const Scalar e110 = q_6_dot - (cos_q_5 * e62 - sin_q_5 * e73);
+        const Scalar e111 = cos_q_6 * e94 + sin_q_6 * e93;
+        const Scalar e112 = q_1_dot * cos_q_4;
+        const Scalar e113 = e12 * e112 - sin_q_4 * e106;
+        const Scalar e114 = cos_q_5 * e108 - sin_q_5 * e101;
+        const Scalar e115 = cos_q_6 * e113 - sin_q_6 * e114;
+        const Scalar e116 = p_.c_z * e111 + p_.c_x * e110 - e115;
+        const Scalar e117 = e5 * e67;
+        const Scalar e118 = q_1_dot * e117;
+        const Scalar e119 = q_4_dot * e67 + e118;
+        const Scalar e120 = q_4_dot * e68;
+        const Scalar e121 = sin_q_4 * e119 + cos_q_4 * e120;
+        const Scalar e122 = q_6_dot * e94 + e121;
+        const Scalar e123 = cos_q_4 * e119 - sin_q_4 * e120;
+        const Scalar e124 = q_5_dot * sin_q_5;
+        const Scalar e125 = q_5_dot * cos_q_5;
+        const Scalar e126 = e10 * e67;
+        const Scalar e127 = q_1_dot * e126;
+        const Scalar e128 = cos_q_5 * e123 - e73 * e124 + e62 * e125 - sin_q_5 * e127;
+        const Scalar e129 = q_6_dot * e93 + e128;
+        const Scalar e130 = cos_q_6 * e122 + sin_q_6 * e129;
+        const Scalar e131 = p_.d_3 * q_2_dot;
+        const Scalar e132 = q_3_dot * sin_q_3;
+        const Scalar e133 = e58 * e131 - e99 * e132 + q_3_dot * e103;
+        const Scalar e134 = e96 * e132;
+        const Scalar e135 = p_.d_3 * e134 + e68 * e131 + q_3_dot * e100;
+        const Scalar e136 = q_2_dot * sin_q_2;
+        const Scalar e137 = p_.d_4 * e117;
+        const Scalar e138 = p_.a_3 * e126 + p_.a_2 * e136 + e137;
+        const Scalar e139 = q_4_dot * e113 - cos_q_4 * e135 - e138 * e107;
+        const Scalar e140 = sin_q_5 * e133 - cos_q_5 * e139 + e108 * e124 + e101 * e125;
+        const Scalar e141 = q_4_dot * e108 - sin_q_4 * e135 + e138 * e112;
+        const Scalar e142 = e95 * e109 + e110 * e116 - (p_.c_z * e130 - (q_6_dot * e115 - cos_q_6 * e140 - sin_q_6 * e141));
+        const Scalar e143 = p_.m_6 * e142;
+        const Scalar e144 = p_.a_3 + p_.a_2 * cos_q_3;
+        const Scalar e145 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e146 = sin_q_5 * e144 + e145 * e87;
+        const Scalar e147 = cos_q_6 * e146 - e145 * e35;
+        const Scalar e148 = e86 - e147;
+        const Scalar e149 = p_.m_6 * e148;
+        const Scalar e150 = e78 + e81 - e84 + e92 + e143 + dxdt[7] * e149;
+        const Scalar e151 = e95 * e29;
+        const Scalar e152 = e55 * e35;
+        const Scalar e153 = cos_q_6 * e30;
+        const Scalar e154 = e1 * e153;
+        const Scalar e155 = p_.m_6 * q_1_dot;
+        const Scalar e156 = cos_q_2 * e155;
+        const Scalar e157 = cos_q_5 * e156;
+        const Scalar e158 = e25 * e157;
+        const Scalar e159 = e55 * e49;
+        const Scalar e160 = e156 * e43;
+        const Scalar e161 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.m_2;
+        const Scalar e162 = sin_q_4 * sin_q_5;
+        const Scalar e163 = e29 * e162;
+        const Scalar e164 = p_.d_4 * e69 - Scalar(5) * e108;
+        const Scalar e165 = Scalar(5) * e73 * e101 - e62 * e164 - (p_.d_4 * e123 - Scalar(5) * e141);
+        const Scalar e166 = e165 * e17;
+        const Scalar e167 = p_.d_4 * e73 + Scalar(5) * e113;
+        const Scalar e168 = Scalar(5) * e69 * e101 + e62 * e167 + (p_.d_4 * e121 + Scalar(5) * e139);
+        const Scalar e169 = e168 * e22;
+        const Scalar e170 = e105 - Scalar(6) * e104;
+        const Scalar e171 = Scalar(6) * e10 * e101 - e5 * e170 + (c_.k57 * e126 + c_.k56 * e136 - e137);
+        const Scalar e172 = c_.k41 * e171;
+        const Scalar e173 = e47 * e156;
+        const Scalar e174 = q_5_dot * cos_q_6;
+        const Scalar e175 = e95 * e162 + q_6_dot * e48 - e110 * e48 - e162 * e174;
+        const Scalar e176 = q_4_dot * e55;
+        const Scalar e177 = sin_q_4 * e30;
+        const Scalar e178 = e111 * e29;
+        const Scalar e179 = p_.m_6 * e79;
+        const Scalar e180 = e1 * e179;
+        const Scalar e181 = e35 * e157;
+        const Scalar e182 = e55 * e40;
+        const Scalar e183 = e55 * e44;
+        const Scalar e184 = e180 - e181 + e182 + e183;
+        const Scalar e185 = q_3_dot * e55;
+        const Scalar e186 = c_.k8 * e10;
+        const Scalar e187 = e29 * e42;
+        const Scalar e188 = e39 * e179;
+        const Scalar e189 = e47 * e153;
+        const Scalar e190 = e186 - e187 - e188 + e189;
+        const Scalar e191 = q_6_dot * e47;
+        const Scalar e192 = e110 * e47;
+        const Scalar e193 = e42 * e1;
+        const Scalar e194 = e111 * e39;
+        const Scalar e195 = e95 * e47;
+        const Scalar e196 = q_5_dot * sin_q_6;
+        const Scalar e197 = e194 - e195 + e47 * e174 - e39 * e196;
+        const Scalar e198 = cos_q_2 * e48;
+        const Scalar e199 = c_.k35 * e26;
+        const Scalar e200 = cos_q_5 * e25 + e43;
+        const Scalar e201 = p_.c_x * e162 + p_.c_z * e200;
+        const Scalar e202 = sin_q_6 * e146 + e145 * e25;
+        const Scalar e203 = e201 - e202;
+        const Scalar e204 = p_.m_6 * e203;
+        const Scalar e205 = c_.k19 * dxdt[11];
+        const Scalar e206 = e39 * e83;
+        const Scalar e207 = dxdt[7] * cos_q_3;
+        const Scalar e208 = cos_q_2 * e42;
+        const Scalar e209 = cos_q_6 * e114 + sin_q_6 * e113;
+        const Scalar e210 = p_.c_z * e95 + e209;
+        const Scalar e211 = sin_q_5 * e123 + e62 * e124 + e73 * e125 + cos_q_5 * e127;
+        const Scalar e212 = cos_q_6 * e129 - sin_q_6 * e122;
+        const Scalar e213 = p_.c_x * e211 + p_.c_z * e212 + (cos_q_6 * e141 - sin_q_6 * e140 + q_6_dot * e209);
+        const Scalar e214 = e111 * e109 - e110 * e210 + e213;
+        const Scalar e215 = p_.d_4 * e25 - sin_q_6 * e88;
+        const Scalar e216 = e215 + e201;
+        const Scalar e217 = dxdt[8] * e216;
+        const Scalar e218 = cos_q_6 * sin_q_5;
+        const Scalar e219 = p_.c_x * cos_q_5 - p_.c_z * e218;
+        const Scalar e220 = dxdt[9] * e219;
+        const Scalar e221 = dxdt[7] * e203;
+        const Scalar e222 = e68 * e60;
+        const Scalar e223 = e69 * (c_.k42 * e16);
+        const Scalar e224 = e73 * (c_.k42 * e21);
+        const Scalar e225 = e222 - e223 + e224;
+        const Scalar e226 = e155 * e136;
+        const Scalar e227 = e163 + e39 * e48 + e47 * e43;
+        const Scalar e228 = q_6_dot * e39;
+        const Scalar e229 = e154 - e158 + e159;
+        const Scalar e230 = e110 * e39;
+        const Scalar e231 = q_1_dot * e136;
+        const Scalar e232 = c_.k35 * e34;
+        const Scalar e233 = c_.k19 * e79;
+        const Scalar e234 = dxdt[9] * e233;
+        const Scalar e235 = c_.k19 * cos_q_6;
+        const Scalar e236 = dxdt[10] * e235;
+        const Scalar e237 = p_.c_x * e130 - (cos_q_5 * e133 + sin_q_5 * e139 - e101 * e124 + e108 * e125);
+        const Scalar e238 = e111 * e116 + e95 * e210 + e237;
+        const Scalar e239 = p_.a_3 * cos_q_5 + p_.d_4 * e33;
+        const Scalar e240 = p_.c_x * e85;
+        const Scalar e241 = e239 + e240;
+        const Scalar e242 = dxdt[8] * e241;
+        const Scalar e243 = e145 * e33 - cos_q_5 * e144;
+        const Scalar e244 = e240 - e243;
+        const Scalar e245 = dxdt[7] * e244;
+        const Scalar e246 = cos_q_2 * cos_q_5;
+        const Scalar e247 = e78 + e81 - e84;
+        const Scalar e248 = dxdt[8] * e90;
+        const Scalar e249 = dxdt[7] * e148;
+        const Scalar e250 = e142 + e248 + e249;
+        const Scalar e251 = e39 * e156;
+        const Scalar e252 = e25 * e251;
+        const Scalar e253 = e35 * e173;
+        const Scalar e254 = q_6_dot * e251;
+        const Scalar e255 = e110 * e251;
+        const Scalar e256 = e67 * e1 + e96 * e58;
+        const Scalar e257 = q_4_dot * e96 + e62 * e96;
+        const Scalar e258 = e47 * e25;
+        const Scalar e259 = cos_q_5 * e155;
+        const Scalar e260 = e259 * e136;
+        const Scalar e261 = e42 * e176;
+        const Scalar e262 = e260 - e261;
+        const Scalar e263 = e39 * e35;
+        const Scalar e264 = q_4_dot * e157;
+        const Scalar e265 = e39 * e43;
+        const Scalar e266 = e55 * e31;
+        const Scalar e267 = e194 - e195;
+        const Scalar e268 = q_5_dot * cos_q_4;
+        const Scalar e269 = e55 * e268;
+        const Scalar e270 = (Scalar(2) / Scalar(5)) * p_.m_4;
+        const Scalar e271 = dxdt[6] * cos_q_2;
+        const Scalar e272 = cos_q_4 * e21 + sin_q_4 * e16;
+        const Scalar e273 = p_.m_6 * e39;
+        const Scalar e274 = q_6_dot - e110;
+        const Scalar e275 = p_.a_2 * p_.m_2;
+        const Scalar e276 = c_.k20 * dxdt[10];
+        const Scalar e277 = e29 * e33;
+        const Scalar e278 = q_4_dot * e156;
+        const Scalar e279 = dxdt[7] * sin_q_2;
+        const Scalar e280 = e96 * e68;
+        const Scalar e281 = e156 * e178;
+        const Scalar e282 = (Scalar(1) / Scalar(3)) * p_.m_3;
+        const Scalar e283 = e59 * e282;
+        const Scalar e284 = e29 * e1;
+        const Scalar e285 = c_.k55 * q_2_dot + c_.k54 * e98;
+        const Scalar e286 = cos_q_2 * e96;
+        const Scalar e287 = (sin_q_2 * e285 + c_.k55 * e136 + c_.k54 * e286) * e96;
+        const Scalar e288 = e96 * e136;
+        const Scalar e289 = (Scalar(181) / Scalar(450)) * e275;
+        const Scalar e290 = cos_q_2 * e271;
+        const Scalar e291 = q_5_dot * sin_q_4;
+        const Scalar e292 = e79 * e251;
+        const Scalar e293 = e48 * e176;
+        const Scalar e294 = e157 * e291;
+        const Scalar e295 = e2 * e53 + e54 * e53 + e55 * (e56 * e57 - e61 - e64 - e66 - e72 - e75 - e77) - cos_q_2 * e43 * e150
+            - e151 * (p_.m_6 * e152 - e154 + e158 - e159 + e160) - cos_q_2
+            * (q_2_dot * q_2_dot * e161 - e83 * e163 - e166 + e169) - e96 * (q_1_dot * e161 - e15 * e71 + e19 * e74 - e172)
+            + e173 * e175 + e176 * (e29 * e177 + e43 * e51 - e63 - e65) + e178 * e184 + e185 * e190 + e191 * e184 - e192 * e184
+            - e193 * e197 + e198 * (e199 + dxdt[7] * e204 + e205 + e206) - e207 * e190 - e35 * e208
+            * (e214 + e217 + e220 + e221) + e1 * e225 - e226 * e227 + e228 * e229 - e230 * e229 + e231 * (e60 + e63 + e65)
+            - cos_q_2 * e162 * (e232 + e234 + e236) + cos_q_2 * e177 * (e238 - e242 - e245) - e25 * e246 * e247 - e35 * e246
+            * (e199 + e205 + e206) - e25 * e208 * e250 + p_.m_6 * e198 * (e214 + e217 + e220) - q_4_dot * (e252 + e253) - e43
+            * (e254 - e255) - e7 * e256 - e18 * e257 + e23 * e257 - e258 * e262 + e263 * e262 + e264 * (e56 - e265) + e266
+            * e267 - e269 * (e187 + e188) - e270 * e271 * e272 - e273 * e152 * e274 - dxdt[6]
+            * ((Scalar(1) / Scalar(50)) * e275) - e111 * e162 * e251 - sin_q_4 * e276 * e246 + e277 * e278 - e161 * e279 - e10
+            * e6 * e280 + e48 * e281 - e271 * e283 - e57 * e284 + (Scalar(1) / Scalar(18)) * p_.m_2 * e287
+            + (Scalar(131) / Scalar(225)) * e275 * e288 - e289 * e290 + e291 * e292 + e273 * e293 + e29 * e294;
+        const Scalar e296 = p_.m_6 * e29;
+        const Scalar e297 = e21 * e21 + e16 * e16;
+        const Scalar e298 = c_.k5 * e34;
+        const Scalar e299 = c_.k5 * e26;
+        const Scalar e300 = p_.J_5 * e36;
+        const Scalar e301 = c_.k4 * e59;
+        const Scalar e302 = p_.J_5 * e24;
+        const Scalar e303 = p_.J_5 * e15;
+        const Scalar e304 = c_.k0 + c_.k1 * cos_q_2 * cos_q_2 + c_.k2 * e5 * e5 + c_.k3 * e10 * e10 + e47 * e51 + e39 * e273
+            + e29 * e296 + c_.k6 * e297 + e34 * e298 + e26 * e299 + e36 * e300 + e59 * e301 + e24 * e302 + e15 * e303;
+        const Scalar inverse_305 = Scalar(1) / e304;
+        const Scalar e306 = cos_q_4 * e16;
+        const Scalar e307 = sin_q_4 * e21;
+        const Scalar e308 = e306 - e307;
+        const Scalar e309 = p_.d_4 + Scalar(5) * e145;
+        const Scalar e310 = c_.k6 * e309;
+        const Scalar e311 = p_.d_4 + c_.k56 * sin_q_3;
+        const Scalar e312 = c_.k9 * e5;
+        const Scalar e313 = cos_q_5 * sin_q_4;
+        const Scalar e314 = cos_q_4 * e15 - e24 * e313;
+        const Scalar e315 = c_.k5 * e85;
+        const Scalar e316 = p_.J_5 * e200;
+        const Scalar e317 = e162 * e298 - p_.J_5 * e314 - (e26 * e315 - e36 * e316);
+        const Scalar e318 = c_.k7 * sin_q_2 - e47 * e149 + e203 * e273 - e244 * e296 + e144 * e186 - e308 * e310 - e311 * e312
+            + e317;
+        const Scalar e319 = e318 * inverse_305;
+        const Scalar e320 = p_.m_3 + p_.m_4;
+        const Scalar e321 = p_.g * e320;
+        const Scalar e322 = e5 * e321;
+        const Scalar e323 = q_1_dot * e59;
+        const Scalar e324 = e67 * e170 + Scalar(6) * e133 + e68 * e323;
+        const Scalar e325 = c_.k41 * e324;
+        const Scalar e326 = Scalar(5) * e133 + e73 * e167 + e69 * e164;
+        const Scalar e327 = c_.k42 * e326;
+        const Scalar e328 = dxdt[11] * e233;
+        const Scalar e329 = e79 * e199;
+        const Scalar e330 = e218 * e81;
+        const Scalar e331 = sin_q_5 * e276;
+        const Scalar e332 = c_.k16 * dxdt[8];
+        const Scalar e333 = e218 * e78;
+        const Scalar e334 = dxdt[7] * e82;
+        const Scalar e335 = e148 * e334;
+        const Scalar e336 = e238 * e42;
+        const Scalar e337 = e142 * e153;
+        const Scalar e338 = e153 * e248;
+        const Scalar e339 = e42 * e242;
+        const Scalar e340 = dxdt[6] * e10;
+        const Scalar e341 = c_.k8 * e340;
+        const Scalar e342 = dxdt[7] * e144;
+        const Scalar e343 = Scalar(2) * e320 * e342;
+        const Scalar e344 = e203 * e334;
+        const Scalar e345 = e79 * e344;
+        const Scalar e346 = dxdt[6] * e5;
+        const Scalar e347 = e33 * e232;
+        const Scalar e348 = p_.d_4 * p_.m_3;
+        const Scalar e349 = (Scalar(1) / Scalar(6)) * e348;
+        const Scalar e350 = p_.d_4 * p_.m_4;
+        const Scalar e351 = (Scalar(4) / Scalar(5)) * e350;
+        const Scalar e352 = e349 - e351;
+        const Scalar e353 = dxdt[8] * e352;
+        const Scalar e354 = e10 * e321;
+        const Scalar e355 = Scalar(6) * e67 * e101 - Scalar(6) * e135 + e58 * e323;
+        const Scalar e356 = c_.k41 * e355;
+        const Scalar e357 = e238 * e31;
+        const Scalar e358 = e168 * e17;
+        const Scalar e359 = e165 * e22;
+        const Scalar e360 = e31 * e242;
+        const Scalar e361 = e33 * e234;
+        const Scalar e362 = e276 * e87;
+        const Scalar e363 = c_.k19 * sin_q_5 * (dxdt[10] * e48);
+        const Scalar e364 = e244 * e334;
+        const Scalar e365 = e33 * e364;
+        const Scalar e366 = c_.k42 * e309;
+        const Scalar e367 = c_.k41 * e311;
+        const Scalar e368 = c_.k11 * e144;
+        const Scalar e369 = e244 * e42;
+        const Scalar e370 = e148 * e153;
+        const Scalar e371 = e203 * e179;
+        const Scalar e372 = e154 - e158 + e159 - e160;
+        const Scalar e373 = e148 * e55;
+        const Scalar e374 = e204 * e152 + e40 * e373 + e44 * e373;
+        const Scalar e375 = p_.m_6 * e244;
+        const Scalar e376 = e148 * e193;
+        const Scalar e377 = cos_q_3 * e179 + sin_q_3 * e40 + sin_q_3 * e44;
+        const Scalar e378 = e244 * e177;
+        const Scalar e379 = e43 * e149;
+        const Scalar e380 = e199 + e205 + e344;
+        const Scalar e381 = e260 - e261 - e42 * e271;
+        const Scalar e382 = cos_q_5 * e48;
+        const Scalar e383 = cos_q_5 * e43;
+        const Scalar e384 = q_6_dot * e148 - e148 * e110;
+        const Scalar e385 = p_.m_4 * e144;
+        const Scalar e386 = cos_q_4 * e69 + sin_q_4 * e73;
+        const Scalar e387 = cos_q_4 * e73 - sin_q_4 * e69;
+        const Scalar e388 = dxdt[6] * sin_q_2;
+        const Scalar e389 = p_.m_3 * e144;
+        const Scalar e390 = e96 * e98;
+        const Scalar e391 = e244 * e162;
+        const Scalar e392 = e67 * e389;
+        const Scalar e393 = e322 - e325 - e327 + e328 + e329 + e330 + e331 - e332 + e333 + e218 * e335 + e336 + e337 + e338
+            - e339 - e341 - e343 + e345;
+        const Scalar e394 = e6 * e346 + e347 - e353 + e354 + e356 - e357 + e358 + e359 + e360 + e361 + e362 + e363 + e365;
+        const Scalar e395 = e203 * (e48 * e226 - e79 * e156 * e291 - e193 * e196 + e25 * e278 + e43 * e264);
+        const Scalar e396 = cos_q_3 * e393 + sin_q_3 * e394 + dxdt[6] * sin_q_3 * (e18 - e23 - e32 + e41 + e45 - e50 + e52)
+            - e395 + e2 * (e244 * e31 + e148 * e49 - e35 * e149 - e366 - e367) - e244 * e111
+            * (e156 * e48 + e180 - e181 + e182 + e183) - sin_q_3 * e35 * (e78 + e81 + e92 + e143 + e335) + e185
+            * (e368 + e369 - e370 - e371) - cos_q_3 * cos_q_5 * (e232 + e234 + e236 + e364) + q_6_dot * e203 * e372 - e244
+            * e95 * e372 - e203 * e110 * e372 - e148 * e156 * e175 - q_6_dot * e374 - e244 * (e33 * e278 - e1 * e57 + e294)
+            + e148 * (e43 * e226 + e35 * e278 - e48 * e264) + e95 * (e152 * e375 + e31 * e373 - e376) + e110 * e374 + e214
+            * e377 + e271 * (e48 * e204 - e378 - e379) + e217 * e377 + e220 * e377 - e203 * e111 * (e156 * e162 + e193 - e266)
+            + dxdt[6] * cos_q_3 * (e187 + e188 - e189) + sin_q_3 * e25 * e380 + e148 * e25 * e381 + e203 * e35 * e381 + sin_q_3
+            * e382 * (e78 + e81 + e335) + sin_q_3 * e383 * e380 - e176 * (e378 + e379) - e54 * (e311 * e282 + e309 * e270)
+            + e366 * e257 + e367 * e256 - e180 * e384 + e181 * e384 + e269 * (e369 - e371) + e309 * e1
+            * (e69 * e17 + e73 * e22) + sin_q_3 * e49 * (e142 + e248) + e203 * e2 * (e40 + e44) - e55 * e385 * e386 - e96
+            * e385 * e387 - dxdt[7] * ((Scalar(19) / Scalar(45)) * e275) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g)
+            - e48 * e373 * e57 - e161 * e388 - e389 * e280 - e289 * e390 + e226 * e391 + e204 * e293 + e174 * e376 - e55 * e392;
+        const Scalar e397 = e396 - e319 * e295;
+        const Scalar e398 = p_.J_5 * e162;
+        const Scalar e399 = e85 * e315 + e200 * e316 + e162 * e398;
+        const Scalar e400 = c_.k4 * e311;
+        const Scalar e401 = c_.k10 + e148 * e149 + e203 * e204 + e399 + e244 * e375 + e309 * e310 + e144 * e368 + e311 * e400;
+        const Scalar inverse_402 = Scalar(1) / (e401 - e318 * e319);
+        const Scalar e403 = c_.k14 * e10 - c_.k13 * e5 + c_.k12 * e308 - e47 * e91 + e216 * e273 - e241 * e296 + e317;
+        const Scalar e404 = c_.k15 + c_.k16 * e144 + c_.k17 * e311 - c_.k12 * e309 + e148 * e91 + e216 * e204 + e399 + e241
+            * e375;
+        const Scalar e405 = e404 - e403 * e319;
+        const Scalar e406 = e405 * inverse_402;
+        const Scalar e407 = c_.k68 * e67 - e351 * e386;
+        const Scalar e408 = e95 * e200 - (e111 * e85 + cos_q_5 * e291);
+        const Scalar e409 = q_4_dot * e33 - e408;
+        const Scalar e410 = q_5_dot - cos_q_6 * e95;
+        const Scalar e411 = e111 * e179 - e30 * e410;
+        const Scalar e412 = e25 + e383;
+        const Scalar e413 = e382 - e35;
+        const Scalar e414 = e111 * e412 + e95 * e413;
+        const Scalar e415 = q_4_dot * e177 + (p_.m_6 * e414 - e42 * e268);
+        const Scalar e416 = e174 - e95;
+        const Scalar e417 = e274 * e85 - e416 * e162;
+        const Scalar e418 = q_4_dot * e413 + e417;
+        const Scalar e419 = e274 * e179 - e416 * e42;
+        const Scalar e420 = e274 * e412;
+        const Scalar e421 = q_4_dot * e200 + e420;
+        const Scalar e422 = p_.a_3 * p_.m_4;
+        const Scalar e423 = c_.k70 * e67 + e422 * e386;
+        const Scalar e424 = e2 + e54;
+        const Scalar e425 = e241 * e31 + e413 * e91;
+        const Scalar e426 = e241 * e177 + e200 * e91;
+        const Scalar e427 = e241 * e162 + e90 * e200;
+        const Scalar e428 = q_4_dot + e62;
+        const Scalar e429 = e351 * e428;
+        const Scalar e430 = e429 - (c_.k68 * e58 - e422 * e387);
+        const Scalar e431 = e185 - e207;
+        const Scalar e432 = e241 * e42 - e90 * e153;
+        const Scalar e433 = c_.k16 + e432;
+        const Scalar e434 = q_5_dot * e79 - sin_q_5 * e111;
+        const Scalar e435 = cos_q_4 * e434 - (q_4_dot * e85 + e274 * e413);
+        const Scalar e436 = e412 * e424 - e55 * e435;
+        const Scalar e437 = sin_q_4 * e434 - (q_4_dot * e412 + e274 * e200);
+        const Scalar e438 = p_.m_6 * e85;
+        const Scalar e439 = e196 - e111;
+        const Scalar e440 = e274 * e153 + e42 * e439;
+        const Scalar e441 = p_.m_6 * e436 - e85 * e226 + (e156 * e437 + e271 * e438 + (e1 * e440 - e179 * e431));
+        const Scalar e442 = e403 * inverse_305;
+        const Scalar e443 = e1 * e407 - e241 * (e156 * e409 + e1 * e411 + e55 * e415) - e90
+            * (e156 * e418 + e1 * e419 + e416 * e266) - e55 * (e421 * e91 + e423) - e424 * (e352 - e425) - e271 * e426 + e427
+            * e226 - e96 * e430 + e431 * e433 + e216 * e441 - c_.k70 * e280;
+        const Scalar e444 = e443 - e442 * e295 - e406 * e397;
+        const Scalar e445 = p_.m_6 * e241;
+        const Scalar e446 = p_.m_6 * e216;
+        const Scalar e447 = c_.k18 + e90 * e91 + e399 + e241 * e445 + e216 * e446 - e403 * e442 - e405 * e406;
+        const Scalar inverse_448 = Scalar(1) / e447;
+        const Scalar e449 = p_.m_6 * e219;
+        const Scalar e450 = e218 * e316 - (e79 * e315 + cos_q_5 * e398);
+        const Scalar e451 = e219 * e273 - c_.k21 * e5 - e47 * e80 - e29 * e233 + cos_q_5 * e298 - e79 * e299 - e218 * e300
+            - sin_q_5 * e302;
+        const Scalar e452 = e148 * e80 + e244 * e233 + e219 * e204 - e450 - e451 * e319;
+        const Scalar e453 = e90 * e80 + e241 * e233 + e216 * e449 - e450 - e451 * e442 - e452 * e406;
+        const Scalar e454 = e453 * inverse_448;
+        const Scalar e455 = cos_q_5 * e233;
+        const Scalar e456 = e455 - e80 * e218;
+        const Scalar e457 = e200 * e80 + e162 * e233;
+        const Scalar e458 = e231 - e271;
+        const Scalar e459 = c_.k20 * e413 + c_.k19 * e33;
+        const Scalar e460 = e79 * e459;
+        const Scalar e461 = e408 * e233 - (e80 * e417 + q_4_dot * e460);
+        const Scalar e462 = c_.k20 * cos_q_5 + c_.k19 * e218;
+        const Scalar e463 = cos_q_5 * e80 * e174 - e95 * e79 * e462 + e233 * e124;
+        const Scalar e464 = e79 * (e111 * e233 + e274 * e80) - e463;
+        const Scalar e465 = e268 * e455 - e80 * e420;
+        const Scalar e466 = e416 * e33;
+        const Scalar e467 = e465 - (e414 * e233 + e80 * e466);
+        const Scalar e468 = e451 * inverse_305;
+        const Scalar e469 = e452 * inverse_402;
+        const Scalar e470 = e431 * e456 - e457 * (e176 - e458) + e96 * e461 - e1 * e464 + e424 * e460 + e55 * e467 + e219
+            * e441;
+        const Scalar e471 = e470 - e468 * e295 - e469 * e397 - e454 * e444;
+        const Scalar e472 = c_.k23 * e79;
+        const Scalar e473 = c_.k22 + e219 * e449 + e79 * e472 - e451 * e468 - e452 * e469 - e453 * e454;
+        const Scalar inverse_474 = Scalar(1) / e473;
+        const Scalar e475 = c_.k20 * sin_q_6;
+        const Scalar e476 = c_.k20 * cos_q_6;
+        const Scalar e477 = e39 * e475 - e29 * e235 - e47 * e476 - cos_q_6 * e299 + sin_q_6 * e300 - e303;
+        const Scalar e478 = sin_q_6 * e316 + (p_.J_5 * cos_q_4 + cos_q_6 * e315);
+        const Scalar e479 = e244 * e235 + e203 * e475 + e148 * e476 + e478 - e477 * e319;
+        const Scalar e480 = e241 * e235 + e216 * e475 + e90 * e476 + e478 - e477 * e442 - e479 * e406;
+        const Scalar e481 = e219 * e475 + cos_q_6 * e472 - e477 * e468 - e479 * e469 - e480 * e454;
+        const Scalar e482 = e481 * inverse_474;
+        const Scalar e483 = c_.k20 * e410;
+        const Scalar e484 = sin_q_4 * e80;
+        const Scalar e485 = c_.k20 * e274 + q_4_dot * e462;
+        const Scalar e486 = e162 * e483 - e111 * e484 - (cos_q_4 * e485 - e408 * e235);
+        const Scalar e487 = c_.k20 * sin_q_5 - cos_q_5 * e235;
+        const Scalar e488 = e111 * (cos_q_5 * e475 + cos_q_6 * e233) - e462 * e410;
+        const Scalar e489 = sin_q_4 * e485 + e33 * e483 + (e414 * e235 - (cos_q_4 * e111 * e80 + c_.k19 * q_5_dot * e382));
+        const Scalar e490 = cos_q_4 * e462;
+        const Scalar e491 = sin_q_4 * e462;
+        const Scalar e492 = e477 * inverse_305;
+        const Scalar e493 = e479 * inverse_402;
+        const Scalar e494 = e480 * inverse_448;
+        const Scalar e495 = e96 * e486 - e431 * e487 - e1 * e488 - e55 * e489 + e424 * e490 + e458 * e491;
+        const Scalar e496 = e495 - e492 * e295 - e493 * e397 - e494 * e444 - e482 * e471;
+        const Scalar e497 = c_.k24 + c_.k25 * cos_q_6 * cos_q_6 - e477 * e492 - e479 * e493 - e480 * e494 - e481 * e482;
+        const Scalar inverse_498 = Scalar(1) / e497;
+        const Scalar e499 = p_.J_5 * e34 + c_.k19 * e39;
+        const Scalar e500 = c_.k19 * e203 + e398 - e499 * e319;
+        const Scalar e501 = c_.k19 * e216 + e398 - e499 * e442 - e500 * e406;
+        const Scalar e502 = p_.J_5 * cos_q_5 + c_.k19 * e219 - e499 * e468 - e500 * e469 - e501 * e454;
+        const Scalar e503 = c_.k26 * sin_q_6 - e499 * e492 - e500 * e493 - e501 * e494 - e502 * e482;
+        const Scalar e504 = e503 * inverse_498;
+        const Scalar e505 = cos_q_5 * e439 + e274 * e218;
+        const Scalar e506 = c_.k19 * e85;
+        const Scalar e507 = c_.k19 * e437;
+        const Scalar e508 = e499 * inverse_305;
+        const Scalar e509 = e500 * inverse_402;
+        const Scalar e510 = e501 * inverse_448;
+        const Scalar e511 = e502 * inverse_474;
+        const Scalar e512 = c_.k25 - e499 * e508 - e500 * e509 - e501 * e510 - e502 * e511 - e503 * e504;
+        const Scalar inverse_513 = Scalar(1) / e512;
+        const Scalar e514 = c_.k19 * (e1 * e505 + e436) - e233 * e431 - e458 * e506 + e96 * e507 - e508 * e295 - e509 * e397
+            - e510 * e444 - e511 * e471 - e504 * e496;
+        const Scalar e515 = e514 * inverse_513;
+        const Scalar e516 = e496 * inverse_498 - e504 * e515;
+        const Scalar e517 = e471 * inverse_474 - e482 * e516 - e511 * e515;
+        const Scalar e518 = e444 * inverse_448 - e454 * e517 - e494 * e516 - e510 * e515;
+        const Scalar e519 = e397 * inverse_402 - e406 * e518 - e469 * e517 - e493 * e516 - e509 * e515;
+        const Scalar e520 = e199 + e205;
+        const Scalar e521 = e47 * e200 + e163;
+        const Scalar e522 = e217 + e221;
+        const Scalar e523 = e214 + e220;
+        const Scalar e524 = p_.m_6 * e522 + (p_.m_6 * e523 + e206);
+        const Scalar e525 = e142 + e249;
+        const Scalar e526 = p_.m_6 * e525 + e78;
+        const Scalar e527 = e242 - e238;
+        const Scalar e528 = e527 + e245;
+        const Scalar e529 = e155 * e437;
+        const Scalar e530 = dxdt[9] * e457 - e85 * e520 + (e162 * e232 - e83 * e521)
+            - (e85 * e524 - e200 * e526 - (e177 * e528 + (e200 * e92 - e39 * e529)));
+        const Scalar e531 = dxdt[7] + dxdt[8];
+        const Scalar e532 = c_.k42 * e428;
+        const Scalar e533 = e308 * e532;
+        const Scalar e534 = e67 * e67 + e68 * e68;
+        const Scalar e58_squared = e58 * e58;
+        const Scalar e535 = e126 * e155;
+        const Scalar e536 = e67 * e440 - e85 * e535;
+        const Scalar e537 = e5 * e155;
+        const Scalar e538 = e67 * e411 + e409 * e537;
+        const Scalar e539 = e67 * e419 + e418 * e537;
+        const Scalar e540 = c_.k42 * q_1_dot * e272 - e155 * e521;
+        const Scalar e541 = e5 * e68;
+        const Scalar e542 = e67 * e225 - e5 * (e530 + dxdt[10] * e491 - e166 + e169) - e531 * e190 + e58 * (e172 - e533) - e346
+            * (e270 * e272 + e283) - e7 * (e534 + e58_squared) + e39 * e536 + e29 * e538 + e47 * e539 + e126 * e540 + e60
+            * e127 - e70 * e387 * e541;
+        const Scalar e543 = e216 + e203;
+        const Scalar e544 = dxdt[6] * e39;
+        const Scalar e545 = e523 + e544;
+        const Scalar e546 = dxdt[8] * e543 + e545;
+        const Scalar e547 = e428 * e366;
+        const Scalar e548 = dxdt[6] * e47 - e248;
+        const Scalar e549 = e142 - e548;
+        const Scalar e550 = e78 + e335;
+        const Scalar e551 = dxdt[6] * e438 + e529;
+        const Scalar e552 = e5 * e551 + e536;
+        const Scalar e553 = dxdt[6] * e29;
+        const Scalar e554 = e527 - (e553 - dxdt[8] * e244);
+        const Scalar e555 = e67 * e367 + e386 * e366;
+        const Scalar e556 = e200 * e149 + e378;
+        const Scalar e557 = dxdt[10] * cos_q_6;
+        const Scalar e558 = dxdt[9] * e79;
+        const Scalar e559 = e557 + e558;
+        const Scalar e560 = c_.k19 * e559;
+        const Scalar e561 = e232 + e560;
+        const Scalar e562 = e561 + e364;
+        const Scalar e563 = e68 * e58;
+        const Scalar e564 = e148 * e200 + e391;
+        const Scalar e565 = e341 - e322 + (e325 + e327) - (e328 + e329 + (e330 + e331));
+        const Scalar e566 = e179 * e546 - dxdt[8] * (e368 - e370) - e58 * (e387 * e385 - e547) - e244 * e538 - e148 * e539
+            + e153 * e549 + e218 * e550 + e203 * e552 - e42 * e554 + e67 * e555 - e346 * e556 - cos_q_5 * e562 - e563 * e389
+            - e332 + e564 * e535 - e565 + e367 * e58_squared - e343 + e345;
+        const Scalar e567 = e566 - e319 * e542;
+        const Scalar e568 = dxdt[7] * e543 + e545;
+        const Scalar e569 = e553 - e245;
+        const Scalar e570 = e238 + e569;
+        const Scalar e571 = e82 * e242;
+        const Scalar e572 = e561 + e571;
+        const Scalar e573 = e82 * e217;
+        const Scalar e574 = c_.k11 * e342;
+        const Scalar e575 = e82 * e218;
+        const Scalar e576 = e525 * e153 - dxdt[8] * (Scalar(2) * p_.a_3 * e320) + e179 * e568 - e241 * e538 - e90 * e539 + e67
+            * e407 - e346 * e426 + e216 * e552 - c_.k70 * e563 + e42 * e570 - cos_q_5 * e572 - e58 * e430 - dxdt[6] * e189
+            - dxdt[7] * e433 + e333 + e427 * e535 + e79 * e573 - e574 - e565 + e248 * e575;
+        const Scalar e577 = e576 - e442 * e542 - e406 * e567;
+        const Scalar e578 = e127 - e346;
+        const Scalar e579 = e219 * e531;
+        const Scalar e580 = e457 * e578 - e531 * e456 + e219 * e552 + e58 * e461 - e67 * e464 + e179 * e579;
+        const Scalar e581 = e580 - e468 * e542 - e469 * e567 - e454 * e577;
+        const Scalar e582 = e531 * e487 - e67 * e488 + e58 * e486 + e578 * e491 - e492 * e542 - e493 * e567 - e494 * e577
+            - e482 * e581;
+        const Scalar e583 = c_.k19 * e67;
+        const Scalar e584 = e531 * e233 - e578 * e506 + e58 * e507 + e505 * e583 - e508 * e542 - e509 * e567 - e510 * e577
+            - e511 * e581 - e504 * e582;
+        const Scalar e585 = e584 * inverse_513;
+        const Scalar e586 = e582 * inverse_498 - e504 * e585;
+        const Scalar e587 = e581 * inverse_474 - e482 * e586 - e511 * e585;
+        const Scalar e588 = e577 * inverse_448 - e454 * e587 - e494 * e586 - e510 * e585;
+        const Scalar e589 = e567 * inverse_402 - e406 * e588 - e469 * e587 - e493 * e586 - e509 * e585;
+        const Scalar e590 = e6 * e58;
+        const Scalar e591 = Scalar(2) * p_.d_3 * e320 * e340;
+        const Scalar e592 = e79 * e206;
+        const Scalar e593 = e218 * e84;
+        const Scalar e594 = e42 * e245;
+        const Scalar e595 = e153 * e249;
+        const Scalar e596 = e347 - e353 + e354 + e356 - e357 + e358 + e359 + e360 + e361 + e362 + e363 + Scalar(2) * e6 * e346
+            + e31 * e245 - e83 * e277;
+        const Scalar e597 = e179 * e8 + e179 * e9 + e4 * e40 - e3 * e40 + e4 * e44 - e3 * e44;
+        const Scalar e598 = e155 * e4;
+        const Scalar e599 = e55 * e157;
+        const Scalar e600 = e157 * e132;
+        const Scalar e601 = sin_q_2 * e1;
+        const Scalar e602 = e259 * e601;
+        const Scalar e603 = e8 * e259;
+        const Scalar e604 = q_3_dot * e603;
+        const Scalar e605 = e4 * e25 - e25 * e3 + e4 * e383 - e3 * e383;
+        const Scalar e606 = e155 * e8;
+        const Scalar e607 = cos_q_3 * e157;
+        const Scalar e608 = e4 * e259;
+        const Scalar e609 = e25 * e598 + e79 * e606 - e43 * e607 + e43 * e608;
+        const Scalar e610 = e35 * e598 - e218 * e606 + e48 * e607 - e48 * e608;
+        const Scalar e611 = e55 * e96;
+        const Scalar e612 = q_1_dot * e8;
+        const Scalar e613 = e134 + e611 + q_1_dot * e601 + q_3_dot * e612;
+        const Scalar e614 = cos_q_3 * e173;
+        const Scalar e615 = e29 * e83;
+        const Scalar e616 = e232 + e234 + e236 - e615;
+        const Scalar e617 = cos_q_3 * e251;
+        const Scalar e618 = sin_q_3 * e79;
+        const Scalar e619 = e35 * e617 - e25 * e614 + e173 * e618;
+        const Scalar e620 = e156 * e151;
+        const Scalar e621 = e156 * e277;
+        const Scalar e622 = q_1_dot * e4;
+        const Scalar e623 = q_3_dot * e598;
+        const Scalar e624 = sin_q_2 * e55;
+        const Scalar e625 = e155 * e624;
+        const Scalar e626 = e277 - e39 * e25 - e47 * e35;
+        const Scalar e627 = (Scalar(1) / Scalar(6)) * e275;
+        const Scalar e628 = dxdt[7] * e4 - dxdt[7] * e3;
+        const Scalar e629 = q_3_dot * e29 + e29 * e268;
+        const Scalar e630 = q_4_dot * e102 - q_4_dot * e622;
+        const Scalar e631 = q_4_dot * e607 - q_4_dot * e608;
+        const Scalar e632 = dxdt[6] * e270;
+        const Scalar e633 = e4 * e632 - e3 * e632;
+        const Scalar e634 = cos_q_2 * (q_2_dot * e285 + c_.k55 * e96 * e96 - c_.k54 * e231);
+        const Scalar e635 = e322 - e325 - e327 + e328 + e329 + e330 + e331 - e58 * e76 - e332 + e333 + e336 + e337 + e338
+            - e339 - e574 + q_3_dot * e590 - e591 + e592 - e593 - e594 + e595;
+        const Scalar e636 = e322 - e325 - e327 + e328 + e329 + e330 + e331 - e332 + e333 + e336 + e337 + e338 - e339 - e574
+            - e591 + e592 - e593 - e594 + e595;
+        const Scalar e637 = e8 * e635 + e9 * e636 + e4 * e596 - e3 * e596 - e102
+            * (q_3_dot * e186 - e61 - e64 - e66 - e72 - e75 - e77) + e214 * e597 + e217 * e597 + e220 * e597 + e221 * e597 - e4
+            * e35 * e150 + e35 * e3 * e150 + e56 * (e598 * e124 - e599 - e600 - e602 - e604) + e199 * e605 + e178 * e609 - e151
+            * e610 + e205 * e605 + e206 * e605 + e18 * e613 - e23 * e613 + e191 * e609 - e192 * e609 - e228 * e610 + e230
+            * e610 - e603 * e197 - e614 * (q_4_dot * e43 + q_3_dot * e218 - e95 * e33 + e48 * e124) - e97
+            * (e67 * e7 - e222 + e223 - e224) + e265 * (e599 + e600 + e602 + e604) + e4 * e68
+            * (c_.k8 * q_3_dot - cos_q_4 * e71 - sin_q_4 * e74 - e76) - cos_q_5 * e8 * e616 - sin_q_3 * e157 * e197 - cos_q_5
+            * e9 * e616 + q_6_dot * e619 - cos_q_3 * (e278 * e163 + e25 * e281 - e35 * e620) - e110 * e619 - e1
+            * (e218 * e173 + e96 * e186 - e292) + e132 * (e252 + e253 - e621) - e622 * (e61 + e64 + e66) + e612 * e225 - e39
+            * e79 * (e598 * e268 + e623 + e625) + sin_q_3 * e218 * (e254 - e255 + e620) + e4 * e49 * e250 - e3 * e49 * e250
+            + q_4_dot * e598 * e227 + e4 * e382 * e247 - e3 * e382 * e247 - q_3_dot * e606 * e626 - e155 * e601 * e626 - e627
+            * (e279 - e96 * e286) + e55 * (e252 - e621) - e366 * e628 + e607 * e629 - e608 * e629 + e7 * (e134 + e611) - e367
+            * e628 + e63 * e630 + e65 * e630 - e617 * (q_4_dot * e48 + e111 * e33) + e624 * (c_.k8 * e68 - e29 * e259) - e258
+            * e631 + e263 * e631 + e306 * e633 - e307 * e633 + e47 * e218 * (e623 + e625) + e33 * e598 * e267 - e29 * e124
+            * (sin_q_3 * e156 + e606) + e79 * e617 * (q_3_dot + e268) - c_.k59 * dxdt[6] + e173 * e152 + e618 * e281
+            - (Scalar(1) / Scalar(12)) * p_.m_2 * e634 + e157 * e284 + e601 * e590;
+        const Scalar e638 = e67 * e68 - e346;
+        const Scalar e639 = e155 * e126;
+        const Scalar e640 = p_.m_6 * e346 - e639;
+        const Scalar e641 = e5 * e435 + e10 * e505;
+        const Scalar e642 = e179 * e340 + e79 * e67 * e537 - (e412 * e640 - e155 * e641);
+        const Scalar e643 = e10 * e79;
+        const Scalar e644 = e5 * e466 - e274 * e643;
+        const Scalar e645 = e10 * e416 * e259 + (e67 * e218 + e421) * e537 - (e413 * e640 - e155 * e644);
+        const Scalar e646 = e111 * e643 - e5 * e414;
+        const Scalar e647 = e155 * (q_4_dot * e5 * e162 + sin_q_5 * e10 * e410) - (e31 * e346 - e33 * e639);
+        const Scalar e648 = e5 * e259 * (e67 + e268) + e155 * e646 - e647;
+        const Scalar e649 = e67 * e58 + e340;
+        const Scalar e650 = e58 * (e386 * e385 + e392) - e638 * (e366 + e367) - e340 * (e369 - e370) + e203 * e642 + e555 * e68
+            + e148 * e645 - e244 * e648 - e649 * e368 - e627 * e388;
+        const Scalar e651 = e650 - e319 * e637;
+        const Scalar e652 = e58 * e423 - c_.k16 * e649 - e352 * e638 + e216 * e642 + e407 * e68 - e432 * e340 + e90 * e645
+            - e241 * e648;
+        const Scalar e653 = e652 - e442 * e637 - e406 * e651;
+        const Scalar e654 = q_1_dot * (e80 * e644 - e233 * e646) + e58 * (q_4_dot * e457 - e465) - e649 * e456 + e219 * e642
+            + e463 * e68 + e638 * e460;
+        const Scalar e655 = e654 - e468 * e637 - e469 * e651 - e454 * e653;
+        const Scalar e656 = e649 * e487 + e58 * e489 - e488 * e68 + e638 * e490 - e492 * e637 - e493 * e651 - e494 * e653
+            - e482 * e655;
+        const Scalar e657 = c_.k19 * e412;
+        const Scalar e658 = e233 * e649 + c_.k19 * q_1_dot * e641 + e638 * e657 - e508 * e637 - e509 * e651 - e510 * e653
+            - e511 * e655 - e504 * e656;
+        const Scalar e659 = e658 * inverse_513;
+        const Scalar e660 = e656 * inverse_498 - e504 * e659;
+        const Scalar e661 = e655 * inverse_474 - e482 * e660 - e511 * e659;
+        const Scalar e662 = e653 * inverse_448 - e454 * e661 - e494 * e660 - e510 * e659;
+        const Scalar e663 = e651 * inverse_402 - e406 * e662 - e469 * e661 - e493 * e660 - e509 * e659;
+        const Scalar e664 = e73 * e73 + e69 * e69;
+        const Scalar e665 = e67 * e386 + e387 * e68;
+        const Scalar e666 = (Scalar(4) / Scalar(25)) * p_.m_4;
+        const Scalar e667 = c_.k6 * e21;
+        const Scalar e668 = c_.k6 * e16;
+        const Scalar e669 = e5 * e346;
+        const Scalar e670 = e126 * e58;
+        const Scalar e671 = (Scalar(1) / Scalar(18)) * p_.m_3;
+        const Scalar e672 = (Scalar(8) / Scalar(25)) * p_.m_4;
+        const Scalar e673 = e117 * e155;
+        const Scalar e674 = p_.m_6 * e67 * e435 - e85 * e673;
+        const Scalar e675 = e10 * e155;
+        const Scalar e676 = e67 * e416 * e31 + e418 * e675;
+        const Scalar e677 = e67 * e415 + e409 * e675;
+        const Scalar e678 = (Scalar(1) / Scalar(50)) * e350;
+        const Scalar e679 = dxdt[9] * e5 - e10 * e62 * e386;
+        const Scalar e680 = (Scalar(1) / Scalar(25)) * e350;
+        const Scalar e681 = e121 * e15 + e123 * e19;
+        const Scalar e682 = e67 * e421;
+        const Scalar e683 = e680 + e349;
+        const Scalar e684 = e10 * e340;
+        const Scalar e685 = e412 * e531;
+        const Scalar e686 = e117 * e68;
+        const Scalar e687 = (Scalar(11) / Scalar(75)) * e348;
+        const Scalar e688 = e67 * e541;
+        const Scalar e689 = c_.k4 * (e171 * e68 - e117 * e323) - e10 * (c_.k9 * e534 + c_.k34 * e664 - e70 * e665 - e530)
+            - e531 * (e666 * e308 - e413 * e51 - e32 - e312) + e67 * (e272 * e532 - e58 * e301) - e62
+            * (e69 * e667 + e73 * e668) - (Scalar(1) / Scalar(50)) * (e350 + e348) * (e669 - e670) + e666
+            * (e168 * e15 - e165 * e19) - e340 * (e59 * e671 - e672 * e272) + e39 * e674 + dxdt[10] * e462 * e15 - e47 * e676
+            - e29 * e677 + e678 * e679 + e117 * e540 - e680 * e681 - e563 * e312 - e51 * e682 - e683 * e684 - e123 * e667
+            - e121 * e668 - e273 * e685 - c_.k68 * e686 - e687 * e688 + e68 * e533;
+        const Scalar e690 = cos_q_4 * e121 - sin_q_4 * e123;
+        const Scalar e691 = (Scalar(17) / Scalar(25)) * e350 + (Scalar(7) / Scalar(36)) * e348;
+        const Scalar e692 = e62 * e387;
+        const Scalar e693 = dxdt[6] * e308 + (cos_q_4 * e168 + sin_q_4 * e165);
+        const Scalar e694 = e10 * e551 - e674;
+        const Scalar e695 = p_.m_6 * e546 + e344;
+        const Scalar e696 = e550 + (p_.m_6 * e549 + dxdt[8] * e149);
+        const Scalar e697 = dxdt[7] * e309;
+        const Scalar e698 = p_.g * ((Scalar(1) / Scalar(6)) * p_.m_3 - (Scalar(4) / Scalar(5)) * p_.m_4);
+        const Scalar e699 = c_.k9 * e346 - (dxdt[10] * e490 + dxdt[9] * e460) - (e347 - (e10 * e698 - e412 * e520));
+        const Scalar e700 = dxdt[7] * e311;
+        const Scalar e701 = e690 * (e680 + e310) - dxdt[8] * (e691 - e309 * e666 + e400) - e144
+            * (c_.k41 * e534 + c_.k42 * e664) + e563 * (e687 + e400) + e692 * (e678 + e310) - dxdt[7] * e683 + c_.k4 * e355
+            + e148 * e676 + e244 * e677 - e666 * e693 - e203 * e694 + e665 * e385 - e31 * e554 + e340 * e556 - e412 * e695
+            - e413 * e696 + e672 * e697 + e564 * e673 + e149 * e682 + e699 - e671 * e700 - e68 * e547 - e365;
+        const Scalar e702 = e701 - e319 * e689;
+        const Scalar e703 = e700 - e355;
+        const Scalar e704 = e697 - e693;
+        const Scalar e705 = p_.m_6 * e568 + e573;
+        const Scalar e706 = e526 - (dxdt[6] * e51 - e82 * e248);
+        const Scalar e707 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e350 + (Scalar(2) / Scalar(9)) * e348);
+        const Scalar e708 = e90 * e676 - dxdt[7] * (e691 + e425) - e707 - (Scalar(3) / Scalar(25)) * e350 * e690 - c_.k49
+            * e534 - c_.k50 * e664 - c_.k4 * e703 + e422 * e665 + e241 * e677 + e340 * e426 - e216 * e694 + e666 * e704
+            + (Scalar(157) / Scalar(900)) * e348 * e563 + e31 * e570 - e412 * e705 - e413 * e706 - (Scalar(7) / Scalar(50))
+            * e350 * e692 + e427 * e673 + e91 * e682 + e699 + e68 * e429 - e33 * e571;
+        const Scalar e709 = e708 - e442 * e689 - e406 * e702;
+        const Scalar e710 = dxdt[9] + e578;
+        const Scalar e711 = e457 * (e340 + e119) - e219 * e694 - e68 * e461 - e531 * e460 - e678 * e710 - e67 * e467 - e449
+            * e685;
+        const Scalar e712 = e711 - e468 * e689 - e469 * e702 - e454 * e709;
+        const Scalar e713 = e340 + e118;
+        const Scalar e714 = e67 * e489 - e68 * e486 - e531 * e490 + e713 * e491 - e492 * e689 - e493 * e702 - e494 * e709
+            - e482 * e712;
+        const Scalar e715 = e435 * e583 - e531 * e657 - e713 * e506 - e68 * e507 - e508 * e689 - e509 * e702 - e510 * e709
+            - e511 * e712 - e504 * e714;
+        const Scalar e716 = e715 * inverse_513;
+        const Scalar e717 = e714 * inverse_498 - e504 * e716;
+        const Scalar e718 = e712 * inverse_474 - e482 * e717 - e511 * e716;
+        const Scalar e719 = e709 * inverse_448 - e454 * e718 - e494 * e717 - e510 * e716;
+        const Scalar e720 = e702 * inverse_402 - e406 * e719 - e469 * e718 - e493 * e717 - e509 * e716;
+        const Scalar e721 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
+        const Scalar e722 = p_.a_2 * p_.a_2;
+        const Scalar e723 = p_.d_3 * p_.d_3;
+        const Scalar e724 = (Scalar(181) / Scalar(900)) * e722;
+        const Scalar e725 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e722 + (Scalar(1) / Scalar(4)) * e723);
+        const Scalar e726 = (Scalar(1) / Scalar(18)) * p_.a_2 * e287 - e721 * (e279 + sin_q_2 * e390) - e725
+            - (Scalar(1) / Scalar(12)) * p_.d_3 * e634 + (Scalar(9) / Scalar(50)) * e722 * e288 - e724 * e290;
+        const Scalar e727 = p_.a_2 * p_.g;
+        const Scalar e728 = cos_q_2 * ((Scalar(1) / Scalar(3)) * e727) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e722) - e721
+            * e388 - e724 * e390;
+        const Scalar e729 = e728 - e319 * e726;
+        const Scalar e730 = -e442 * e726 - e406 * e729;
+        const Scalar e731 = -e468 * e726 - e469 * e729 - e454 * e730;
+        const Scalar e732 = -e492 * e726 - e493 * e729 - e494 * e730 - e482 * e731;
+        const Scalar e733 = (-e508 * e726 - e509 * e729 - e510 * e730 - e511 * e731 - e504 * e732) * inverse_513;
+        const Scalar e734 = e732 * inverse_498 - e504 * e733;
+        const Scalar e735 = e731 * inverse_474 - e482 * e734 - e511 * e733;
+        const Scalar e736 = e730 * inverse_448 - e454 * e735 - e494 * e734 - e510 * e733;
+        const Scalar e737 = e729 * inverse_402 - e406 * e736 - e469 * e735 - e493 * e734 - e509 * e733;
+        const Scalar e738 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
+        const Scalar e739 = (Scalar(1) / Scalar(6)) * p_.d_3;
+        const Scalar e740 = p_.a_3 * p_.d_3;
+        const Scalar e741 = p_.d_4 * p_.d_4;
+        const Scalar e742 = (Scalar(1) / Scalar(100)) * e741;
+        const Scalar e743 = dxdt[8] * e10 * e740 - e742 * e670 + e342 * e27;
+        const Scalar e744 = (Scalar(1) / Scalar(12)) * e741;
+        const Scalar e745 = (Scalar(11) / Scalar(150)) * e741;
+        const Scalar e746 = e5 * (dxdt[8] * e738 + e739 * e703) - (Scalar(1) / Scalar(36)) * dxdt[6] * e59 * e59 - e10 * e324
+            * e739 - e743 + (Scalar(1) / Scalar(36)) * e171 * e323 - (e744 + e723) * e684 - (e742 + e723) * e669 - e744 * e686
+            - e745 * e688;
+        const Scalar e747 = (Scalar(1) / Scalar(36)) * p_.d_4;
+        const Scalar e748 = p_.d_4 * p_.g;
+        const Scalar e749 = e5 * (p_.a_3 * p_.g);
+        const Scalar e750 = e745 * e563 + (e10 * ((Scalar(1) / Scalar(6)) * e748) + e749);
+        const Scalar e751 = e144 * (e342 + (p_.a_3 * dxdt[8] + p_.d_3 * e340));
+        const Scalar e752 = e311 * (dxdt[8] * e747 - e739 * e346 + (Scalar(1) / Scalar(36)) * e703);
+        const Scalar e753 = e727 * (cos_q_3 * e5 + sin_q_3 * e10) - e752 - (Scalar(1) / Scalar(6)) * e144 * e324 - e744 * e531
+            + e750 - e751;
+        const Scalar e754 = e753 - e319 * e746;
+        const Scalar e755 = p_.a_3 * p_.a_3;
+        const Scalar e756 = p_.a_3 * e342 + e740 * e340;
+        const Scalar e757 = e738 * e346 - dxdt[7] * e744 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e741 + e755) - e324
+            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e747 * e703 - e756 + e750;
+        const Scalar e758 = e757 - e442 * e746 - e406 * e754;
+        const Scalar e759 = -e468 * e746 - e469 * e754 - e454 * e758;
+        const Scalar e760 = -e492 * e746 - e493 * e754 - e494 * e758 - e482 * e759;
+        const Scalar e761 = (-e508 * e746 - e509 * e754 - e510 * e758 - e511 * e759 - e504 * e760) * inverse_513;
+        const Scalar e762 = e760 * inverse_498 - e504 * e761;
+        const Scalar e763 = e759 * inverse_474 - e482 * e762 - e511 * e761;
+        const Scalar e764 = e758 * inverse_448 - e454 * e763 - e494 * e762 - e510 * e761;
+        const Scalar e765 = e754 * inverse_402 - e406 * e764 - e469 * e763 - e493 * e762 - e509 * e761;
+        const Scalar e766 = (Scalar(4) / Scalar(25)) * p_.d_4;
+        const Scalar e767 = dxdt[8] * e766;
+        const Scalar e768 = (Scalar(1) / Scalar(50)) * e741;
+        const Scalar e769 = e10 * (e5 * (p_.d_3 * p_.g) - e326 * ((Scalar(1) / Scalar(5)) * p_.d_3));
+        const Scalar e770 = e769 - p_.g * (e20 * e15 + e14 * e19) + e742 * (e679 - e669) + e308
+            * ((Scalar(1) / Scalar(25)) * e697 - e767) + (Scalar(1) / Scalar(25)) * e21 * e165 - (Scalar(1) / Scalar(25)) * e16
+            * e168 - (Scalar(1) / Scalar(25)) * dxdt[6] * e297 - e768 * e681 - e743 - (e768 + e723) * e684;
+        const Scalar e771 = e768 * e690 + e742 * e692;
+        const Scalar e772 = p_.g * (e144 * e5 + e145 * e10) - e309 * ((Scalar(1) / Scalar(25)) * e704 - e767)
+            - (Scalar(1) / Scalar(5)) * e144 * e326 + e10 * ((Scalar(1) / Scalar(5)) * e748) - e768 * e531 + e771 - e751;
+        const Scalar e773 = e772 - e319 * e770;
+        const Scalar e774 = e766 * e704 - dxdt[7] * e768 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e741 + e755) - e10
+            * ((Scalar(4) / Scalar(5)) * e748) - e326 * ((Scalar(1) / Scalar(5)) * p_.a_3) + e771 - e756 + e749;
+        const Scalar e775 = e774 - e442 * e770 - e406 * e773;
+        const Scalar e776 = -e742 * e710 - e468 * e770 - e469 * e773 - e454 * e775;
+        const Scalar e777 = -e492 * e770 - e493 * e773 - e494 * e775 - e482 * e776;
+        const Scalar e778 = (-e508 * e770 - e509 * e773 - e510 * e775 - e511 * e776 - e504 * e777) * inverse_513;
+        const Scalar e779 = e777 * inverse_498 - e504 * e778;
+        const Scalar e780 = e776 * inverse_474 - e482 * e779 - e511 * e778;
+        const Scalar e781 = e775 * inverse_448 - e454 * e780 - e494 * e779 - e510 * e778;
+        const Scalar e782 = e773 * inverse_402 - e406 * e781 - e469 * e780 - e493 * e779 - e509 * e778;
+        const Scalar e783 = e525 - e548;
+        const Scalar e784 = p_.c_z * e559 + e783;
+        const Scalar e785 = e522 + e545;
+        const Scalar e786 = dxdt[10] * sin_q_6;
+        const Scalar e787 = e785 + (p_.c_x * dxdt[11] + p_.c_z * e786);
+        const Scalar e788 = e527 - e569;
+        const Scalar e789 = p_.c_x * e559 + e788;
+        const Scalar e790 = p_.g * e34;
+        const Scalar e791 = p_.g * e26;
+        const Scalar e792 = p_.g * e36;
+        const Scalar e793 = e47 * e784 - e39 * e787 + e29 * e789 - e28 * e790 - e38 * e791 + e46 * e792;
+        const Scalar e794 = p_.c_x * p_.g;
+        const Scalar e795 = p_.c_z * p_.g;
+        const Scalar e796 = e34 * e794 + e36 * e795;
+        const Scalar e797 = e85 * e796 + e26 * (e200 * e795 + e794 * e162);
+        const Scalar e798 = e243 * e790 - e203 * e787 - e148 * e784 - e244 * e789 - e797 + e202 * e791 + e147 * e792;
+        const Scalar e799 = e798 - e319 * e793;
+        const Scalar e800 = e89 * e792 - e216 * e787 - e90 * e784 - e241 * e789 - e797 - e239 * e790 - e215 * e791;
+        const Scalar e801 = e800 - e442 * e793 - e406 * e799;
+        const Scalar e802 = e26 * e795;
+        const Scalar e803 = p_.c_z * p_.c_z;
+        const Scalar e804 = p_.c_x * p_.c_x;
+        const Scalar e805 = e803 + e804;
+        const Scalar e806 = p_.c_x * e788 + e796;
+        const Scalar e807 = e26 * e794;
+        const Scalar e808 = e218 * e802 - e79 * (e805 * e559 + p_.c_z * e783 + e806) - e219 * e787 - cos_q_5 * e807;
+        const Scalar e809 = e808 - e468 * e793 - e469 * e799 - e454 * e801;
+        const Scalar e810 = p_.c_x * p_.c_z;
+        const Scalar e811 = cos_q_6 * e783 + sin_q_6 * e785;
+        const Scalar e812 = -cos_q_6 * (e806 + e804 * e557 + e805 * e558) - sin_q_6 * (dxdt[11] * e810 + e802) - dxdt[10]
+            * e803 - p_.c_z * e811;
+        const Scalar e813 = e812 - e492 * e793 - e493 * e799 - e494 * e801 - e482 * e809;
+        const Scalar e814 = -dxdt[11] * e804 - p_.c_x * e785 - e810 * e786 - e807 - e508 * e793 - e509 * e799 - e510 * e801
+            - e511 * e809 - e504 * e813;
+        const Scalar e815 = e814 * inverse_513;
+        const Scalar e816 = e813 * inverse_498 - e504 * e815;
+        const Scalar e817 = e809 * inverse_474 - e482 * e816 - e511 * e815;
+        const Scalar e818 = e801 * inverse_448 - e454 * e817 - e494 * e816 - e510 * e815;
+        const Scalar e819 = e799 * inverse_402 - e406 * e818 - e469 * e817 - e493 * e816 - e509 * e815;
+        const Scalar e95_squared = e95 * e95;
+        const Scalar e820 = e110 * e110 + e95_squared;
+        const Scalar e821 = dxdt[9] * e42;
+        const Scalar e822 = e111 * e95;
+        const Scalar e823 = dxdt[11] + e822;
+        const Scalar e824 = e85 * e531;
+        const Scalar e825 = e559 + (e824 - e130);
+        const Scalar e826 = dxdt[10] * e475;
+        const Scalar e827 = e205 + (e524 + e826);
+        const Scalar e828 = p_.m_6 * e26;
+        const Scalar e829 = e820 * e51 - e26 * (e615 - e560) - e39 * (e531 * e177 + e821) - e273 * (e211 + e823) - p_.m_6
+            * e110 * e178 + e296 * e825 - e34 * e827 + e528 * e828;
+        const Scalar e830 = dxdt[6] * e26 + e130;
+        const Scalar e831 = e559 - e830;
+        const Scalar e832 = e111 * e110;
+        const Scalar e833 = dxdt[6] * e34 + e211;
+        const Scalar e834 = e823 + e833;
+        const Scalar e835 = e162 * e520 + dxdt[10] * e484;
+        const Scalar e836 = -e375 * (e831 - e832) - e820 * e149 - e177 * e546 - e834 * e204 - e162 * e344 - e835 - e85 * e562
+            - e203 * e821 - e554 * e438;
+        const Scalar e837 = e836 - e319 * e829;
+        const Scalar e838 = dxdt[7] * e85 + e831;
+        const Scalar e839 = e445 * (e832 - e838) - e91 * e820 - e177 * e568 - e835 - e85 * e572 - e834 * e446 - e216 * e821
+            - e162 * e573 + e570 * e438;
+        const Scalar e840 = e839 - e442 * e829 - e406 * e837;
+        const Scalar e841 = e520 + e826;
+        const Scalar e842 = c_.k87 * e559 + e232;
+        const Scalar e843 = e824 - e830;
+        const Scalar e844 = e843 - e832;
+        const Scalar e845 = e522 + (e214 + e544);
+        const Scalar e846 = -cos_q_5 * (e82 * e220 + e841) - e80 * e820 - e179 * e788 - e79 * e842 - e834 * e449 - e233 * e844
+            - e42 * e845 - e177 * e579;
+        const Scalar e847 = e846 - e468 * e829 - e469 * e837 - e454 * e840;
+        const Scalar e848 = dxdt[9] * cos_q_5;
+        const Scalar e849 = -cos_q_6 * (p_.m_6 * e788 + e842) - e475 * (e834 + e848) - e820 * e476 - e235 * e844 - e531 * e484;
+        const Scalar e850 = e849 - e492 * e829 - e493 * e837 - e494 * e840 - e482 * e847;
+        const Scalar e851 = e531 * e162;
+        const Scalar e852 = e848 + e851;
+        const Scalar e853 = -c_.k19 * (e833 + e852 + e822) - c_.k87 * dxdt[11] - p_.m_6 * e785 - e199 - e826;
+        const Scalar e854 = e853 - e508 * e829 - e509 * e837 - e510 * e840 - e511 * e847 - e504 * e850;
+        const Scalar e855 = e854 * inverse_513;
+        const Scalar e856 = e850 * inverse_498 - e504 * e855;
+        const Scalar e857 = e847 * inverse_474 - e482 * e856 - e511 * e855;
+        const Scalar e858 = e840 * inverse_448 - e454 * e857 - e494 * e856 - e510 * e855;
+        const Scalar e859 = e837 * inverse_402 - e406 * e858 - e469 * e857 - e493 * e856 - e509 * e855;
+        const Scalar e860 = c_.k20 * e559;
+        const Scalar e861 = e200 * e531 + e212;
+        const Scalar e862 = e95 * e110;
+        const Scalar e863 = e111 * e111 + e95_squared;
+        const Scalar e864 = dxdt[9] * e153;
+        const Scalar e865 = e51 * (e832 + e825) - e26 * (e84 - e92 - e860) - e273 * (e861 + e786 - e862) - e863 * e296 - e36
+            * e827 + e39 * e864 + e525 * e828;
+        const Scalar e866 = dxdt[6] * e36 - e862;
+        const Scalar e867 = e866 + e786;
+        const Scalar e868 = e212 + e867;
+        const Scalar e869 = e200 * e841 + e85 * e860;
+        const Scalar e870 = e863 * e375 - e149 * (e831 + e832) - e204 * e868 - e869 - e200 * e695 - e85 * e696 + e203 * e864;
+        const Scalar e871 = e870 - e319 * e865;
+        const Scalar e872 = e863 * e445 - e91 * (e832 + e838) - e200 * e705 - e869 - e85 * e706 - e868 * e446 + e216 * e864;
+        const Scalar e873 = e872 - e442 * e865 - e406 * e871;
+        const Scalar e874 = e843 + e832;
+        const Scalar e875 = e861 + e867;
+        const Scalar e876 = e218 * e520 - e79 * (e78 + c_.k86 * e558) - e80 * (e874 + e557) + e233 * e863 - e179 * e783 - e875
+            * e449 + e153 * e845 + e220 * e575;
+        const Scalar e877 = e876 - e468 * e865 - e469 * e871 - e454 * e873;
+        const Scalar e878 = e866 + e861;
+        const Scalar e879 = e863 * e235 - cos_q_6 * (e78 + e81) - c_.k86 * dxdt[10] - sin_q_6 * e520 - e475 * e878 - p_.m_6
+            * e811 - e476 * e874;
+        const Scalar e880 = e879 - e492 * e865 - e493 * e871 - e494 * e873 - e482 * e877;
+        const Scalar e881 = dxdt[9] * e218 - e875;
+        const Scalar e882 = c_.k19 * e881 - e508 * e865 - e509 * e871 - e510 * e873 - e511 * e877 - e504 * e880;
+        const Scalar e883 = e882 * inverse_513;
+        const Scalar e884 = e880 * inverse_498 - e504 * e883;
+        const Scalar e885 = e877 * inverse_474 - e482 * e884 - e511 * e883;
+        const Scalar e886 = e873 * inverse_448 - e454 * e885 - e494 * e884 - e510 * e883;
+        const Scalar e887 = e871 * inverse_402 - e406 * e886 - e469 * e885 - e493 * e884 - e509 * e883;
+        const Scalar e888 = -dxdt[6];
+        const Scalar e889 = -e319 * e888;
+        const Scalar e890 = -e442 * e888 - e406 * e889;
+        const Scalar e891 = -e468 * e888 - e469 * e889 - e454 * e890;
+        const Scalar e892 = -e492 * e888 - e493 * e889 - e494 * e890 - e482 * e891;
+        const Scalar e893 = (-e508 * e888 - e509 * e889 - e510 * e890 - e511 * e891 - e504 * e892) * inverse_513;
+        const Scalar e894 = e892 * inverse_498 - e504 * e893;
+        const Scalar e895 = e891 * inverse_474 - e482 * e894 - e511 * e893;
+        const Scalar e896 = e890 * inverse_448 - e454 * e895 - e494 * e894 - e510 * e893;
+        const Scalar e897 = e889 * inverse_402 - e406 * e896 - e469 * e895 - e493 * e894 - e509 * e893;
+        const Scalar e898 = dxdt[6] * e24 + e128;
+        const Scalar e899 = e823 + Scalar(2) * e833;
+        const Scalar e900 = e559 + e843;
+        const Scalar e901 = sin_q_4 * e340 + e121;
+        const Scalar e902 = dxdt[10] - e901;
+        const Scalar e903 = e24 * (dxdt[9] * sin_q_5 - e898) - e34 * (Scalar(2) * e852 + e899) + e531 * e314 + e36 * e881
+            + Scalar(2) * e26 * e900 + e15 * e902;
+        const Scalar e904 = e200 * e881 - e162 * (e852 + e899) - e531 - Scalar(2) * e85 * e900 - cos_q_4 * e902 - e898 * e313;
+        const Scalar e905 = e904 - e319 * e903;
+        const Scalar e906 = e904 - e442 * e903 - e406 * e905;
+        const Scalar e907 = e559 + Scalar(2) * e843;
+        const Scalar e908 = sin_q_5 * e898 - cos_q_5 * (e899 + e851) - Scalar(2) * dxdt[9] + e218 * e878 - e79 * e907;
+        const Scalar e909 = e908 - e468 * e903 - e469 * e905 - e454 * e906;
+        const Scalar e910 = e901 - Scalar(2) * dxdt[10] - cos_q_4 * e531 - sin_q_6 * e878 - cos_q_6 * e907;
+        const Scalar e911 = e910 - e492 * e903 - e493 * e905 - e494 * e906 - e482 * e909;
+        const Scalar e912 = -e852 - e834 - e508 * e903 - e509 * e905 - e510 * e906 - e511 * e909 - e504 * e911;
+        const Scalar e913 = e912 * inverse_513;
+        const Scalar e914 = e911 * inverse_498 - e504 * e913;
+        const Scalar e915 = e909 * inverse_474 - e482 * e914 - e511 * e913;
+        const Scalar e916 = e906 * inverse_448 - e454 * e915 - e494 * e914 - e510 * e913;
+        const Scalar e917 = e905 * inverse_402 - e406 * e916 - e469 * e915 - e493 * e914 - e509 * e913;
         const Scalar q_1 = x[0];
-        const Scalar e1085 = Scalar(1) - q_1;
-        const Scalar e1086 = -(Scalar(2) / Scalar(5)) - q_2 - e380 * e1085;
-        const Scalar e1087 = Scalar(3) / Scalar(10) - q_3 - e505 * e1085 - e469 * e1086;
-        const Scalar e1088 = Scalar(1) - q_4;
-        const Scalar e1089 = p_.k_w * e1088 - e543 * e1085 - e544 * e1086 - e517 * e1087;
-        const Scalar e1090 = (Scalar(7) / Scalar(10)) * p_.k_w - p_.k_w * q_5 - e574 * e1085 - e575 * e1086 - e576 * e1087
-            - e559 * e1089;
-        const Scalar e1091 = Scalar(1) + q_6;
-        const Scalar e1092 = -p_.k_w * e1091 - e596 * e1085 - e597 * e1086 - e598 * e1087 - e599 * e1089 - e587 * e1090;
-        const Scalar e1093 = e1092 * inverse_601;
-        const Scalar e1094 = e1090 * inverse_580 - e587 * e1093;
-        const Scalar e1095 = e1089 * inverse_549 - e559 * e1094 - e599 * e1093;
-        const Scalar e1096 = e1087 * inverse_509 - e517 * e1095 - e576 * e1094 - e598 * e1093;
-        const Scalar e1097 = e1086 * inverse_465 - e469 * e1096 - e544 * e1095 - e575 * e1094 - e597 * e1093;
-        const Scalar e1098 = -q_1_dot;
-        const Scalar e1099 = -q_2_dot - e380 * e1098;
-        const Scalar e1100 = -q_3_dot - e505 * e1098 - e469 * e1099;
-        const Scalar e1101 = -p_.k_w * q_4_dot - e543 * e1098 - e544 * e1099 - e517 * e1100;
-        const Scalar e1102 = -p_.k_w * q_5_dot - e574 * e1098 - e575 * e1099 - e576 * e1100 - e559 * e1101;
-        const Scalar e1103 = -p_.k_w * q_6_dot - e596 * e1098 - e597 * e1099 - e598 * e1100 - e599 * e1101 - e587 * e1102;
-        const Scalar e1104 = e1103 * inverse_601;
-        const Scalar e1105 = e1102 * inverse_580 - e587 * e1104;
-        const Scalar e1106 = e1101 * inverse_549 - e559 * e1105 - e599 * e1104;
-        const Scalar e1107 = e1100 * inverse_509 - e517 * e1106 - e576 * e1105 - e598 * e1104;
-        const Scalar e1108 = e1099 * inverse_465 - e469 * e1107 - e544 * e1106 - e575 * e1105 - e597 * e1104;
-        const Scalar e1109 = p_.k_p * e1088 - p_.k_d * q_4_dot;
-        const Scalar e1110 = (Scalar(7) / Scalar(10)) * p_.k_p - p_.k_p * q_5 - p_.k_d * q_5_dot - e559 * e1109;
-        const Scalar e1111 = (-p_.k_d * q_6_dot - p_.k_p * e1091 - e599 * e1109 - e587 * e1110) * inverse_601;
-        const Scalar e1112 = e1110 * inverse_580 - e587 * e1111;
-        const Scalar e1113 = e1109 * inverse_549 - e559 * e1112 - e599 * e1111;
-        const Scalar e1114 = -e517 * e1113 - e576 * e1112 - e598 * e1111;
-        const Scalar e1115 = -e469 * e1114 - e544 * e1113 - e575 * e1112 - e597 * e1111;
-        const Scalar e1116 = p_.m_6 + e397;
-        const Scalar e1117 = p_.a_3 * e1116 * e16 + (-p_.d_4 * p_.m_6 - e416) * e7 - (e16 * (c_.k21 * e73 - e1041) + e7 * e534);
-        const Scalar e1118 = cos_q_2 * ((Scalar(1) / Scalar(3)) * e334 + p_.a_2 * e1116) + e1117;
-        const Scalar e1119 = e1117 - e469 * e1118;
-        const Scalar e1120 = e7 * (c_.k21 * e74 - e1042) - e544 * e1118 - e517 * e1119;
-        const Scalar e1121 = -e16 * e560 - e534 * e167 - e575 * e1118 - e576 * e1119 - e559 * e1120;
-        const Scalar e1122 = -c_.k22 * e140 - e990 - e597 * e1118 - e598 * e1119 - e599 * e1120 - e587 * e1121;
-        const Scalar e1123 = e1122 * inverse_601;
-        const Scalar e1124 = e1121 * inverse_580 - e587 * e1123;
-        const Scalar e1125 = e1120 * inverse_549 - e559 * e1124 - e599 * e1123;
-        const Scalar e1126 = e1119 * inverse_509 - e517 * e1125 - e576 * e1124 - e598 * e1123;
-        const Scalar e1127 = e1118 * inverse_465 - e469 * e1126 - e544 * e1125 - e575 * e1124 - e597 * e1123;
+        const Scalar e918 = Scalar(1) - q_1;
+        const Scalar e919 = -(Scalar(2) / Scalar(5)) - q_2 - e319 * e918;
+        const Scalar e920 = Scalar(3) / Scalar(10) - q_3 - e442 * e918 - e406 * e919;
+        const Scalar e921 = Scalar(1) - q_4;
+        const Scalar e922 = p_.k_w * e921 - e468 * e918 - e469 * e919 - e454 * e920;
+        const Scalar e923 = (Scalar(7) / Scalar(10)) * p_.k_w - p_.k_w * q_5 - e492 * e918 - e493 * e919 - e494 * e920 - e482
+            * e922;
+        const Scalar e924 = Scalar(1) + q_6;
+        const Scalar e925 = -p_.k_w * e924 - e508 * e918 - e509 * e919 - e510 * e920 - e511 * e922 - e504 * e923;
+        const Scalar e926 = e925 * inverse_513;
+        const Scalar e927 = e923 * inverse_498 - e504 * e926;
+        const Scalar e928 = e922 * inverse_474 - e482 * e927 - e511 * e926;
+        const Scalar e929 = e920 * inverse_448 - e454 * e928 - e494 * e927 - e510 * e926;
+        const Scalar e930 = e919 * inverse_402 - e406 * e929 - e469 * e928 - e493 * e927 - e509 * e926;
+        const Scalar e931 = -q_1_dot;
+        const Scalar e932 = -q_2_dot - e319 * e931;
+        const Scalar e933 = -q_3_dot - e442 * e931 - e406 * e932;
+        const Scalar e934 = -p_.k_w * q_4_dot - e468 * e931 - e469 * e932 - e454 * e933;
+        const Scalar e935 = -p_.k_w * q_5_dot - e492 * e931 - e493 * e932 - e494 * e933 - e482 * e934;
+        const Scalar e936 = -p_.k_w * q_6_dot - e508 * e931 - e509 * e932 - e510 * e933 - e511 * e934 - e504 * e935;
+        const Scalar e937 = e936 * inverse_513;
+        const Scalar e938 = e935 * inverse_498 - e504 * e937;
+        const Scalar e939 = e934 * inverse_474 - e482 * e938 - e511 * e937;
+        const Scalar e940 = e933 * inverse_448 - e454 * e939 - e494 * e938 - e510 * e937;
+        const Scalar e941 = e932 * inverse_402 - e406 * e940 - e469 * e939 - e493 * e938 - e509 * e937;
+        const Scalar e942 = p_.k_p * e921 - p_.k_d * q_4_dot;
+        const Scalar e943 = (Scalar(7) / Scalar(10)) * p_.k_p - p_.k_p * q_5 - p_.k_d * q_5_dot - e482 * e942;
+        const Scalar e944 = (-p_.k_d * q_6_dot - p_.k_p * e924 - e511 * e942 - e504 * e943) * inverse_513;
+        const Scalar e945 = e943 * inverse_498 - e504 * e944;
+        const Scalar e946 = e942 * inverse_474 - e482 * e945 - e511 * e944;
+        const Scalar e947 = -e454 * e946 - e494 * e945 - e510 * e944;
+        const Scalar e948 = -e406 * e947 - e469 * e946 - e493 * e945 - e509 * e944;
+        const Scalar e949 = p_.m_6 * e10;
+        const Scalar e950 = e5 * e179 + e412 * e949;
+        const Scalar e951 = e5 * e153 + e413 * e949;
+        const Scalar e952 = e5 * e42 - e10 * e31;
+        const Scalar e953 = e5 * e233 + e10 * e657;
+        const Scalar e954 = c_.k20 * e10;
+        const Scalar e955 = e85 * (c_.k20 * e5 * e218 + e10 * e459) - (c_.k19 * cos_q_5 * e85 * e5 - e200 * e412 * e954);
+        const Scalar e956 = e200 * e5 * e80 + e162 * e953 + e955;
+        const Scalar e957 = e5 * (c_.k70 + e385) + e10 * ((Scalar(1) / Scalar(5)) * e350 + e349 + p_.m_4 * e145) + cos_q_2
+            * (p_.a_2 * p_.m_3 + (Scalar(1) / Scalar(3)) * e275) + e202 * e950 + e147 * e951 - e243 * e952 - e956;
+        const Scalar e958 = c_.k16 * e5 + e352 * e10 - e215 * e950 + e89 * e951 + e239 * e952 - e956;
+        const Scalar e959 = e958 - e406 * e957;
+        const Scalar e960 = e162 * e954 - c_.k19 * e10 * e200 - e469 * e957 - e454 * e959;
+        const Scalar e961 = -e5 * e487 - e10 * e490 - e493 * e957 - e494 * e959 - e482 * e960;
+        const Scalar e962 = (-e953 - e509 * e957 - e510 * e959 - e511 * e960 - e504 * e961) * inverse_513;
+        const Scalar e963 = e961 * inverse_498 - e504 * e962;
+        const Scalar e964 = e960 * inverse_474 - e482 * e963 - e511 * e962;
+        const Scalar e965 = e959 * inverse_448 - e454 * e964 - e494 * e963 - e510 * e962;
+        const Scalar e966 = e957 * inverse_402 - e406 * e965 - e469 * e964 - e493 * e963 - e509 * e962;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = e355 * inverse_370 - e380 * e608 - e505 * e607 - e543 * e606 - e574 * e605 - e596 * e604;
-        J[7] = e608;
-        J[8] = e607;
-        J[9] = e606;
-        J[10] = e605;
-        J[11] = e604;
+        J[6] = e295 * inverse_305 - e319 * e519 - e442 * e518 - e468 * e517 - e492 * e516 - e508 * e515;
+        J[7] = e519;
+        J[8] = e518;
+        J[9] = e517;
+        J[10] = e516;
+        J[11] = e515;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = e651 * inverse_370 - e380 * e690 - e505 * e689 - e543 * e688 - e574 * e687 - e596 * e686;
-        J[19] = e690;
-        J[20] = e689;
-        J[21] = e688;
-        J[22] = e687;
-        J[23] = e686;
+        J[18] = e542 * inverse_305 - e319 * e589 - e442 * e588 - e468 * e587 - e492 * e586 - e508 * e585;
+        J[19] = e589;
+        J[20] = e588;
+        J[21] = e587;
+        J[22] = e586;
+        J[23] = e585;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e720 * inverse_370 - e380 * e756 - e505 * e755 - e543 * e754 - e574 * e753 - e596 * e752;
-        J[31] = e756;
-        J[32] = e755;
-        J[33] = e754;
-        J[34] = e753;
-        J[35] = e752;
+        J[30] = e637 * inverse_305 - e319 * e663 - e442 * e662 - e468 * e661 - e492 * e660 - e508 * e659;
+        J[31] = e663;
+        J[32] = e662;
+        J[33] = e661;
+        J[34] = e660;
+        J[35] = e659;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = e803 * inverse_370 - e380 * e857 - e505 * e856 - e543 * e855 - e574 * e854 - e596 * e853;
-        J[43] = e857;
-        J[44] = e856;
-        J[45] = e855;
-        J[46] = e854;
-        J[47] = e853;
+        J[42] = e689 * inverse_305 - e319 * e720 - e442 * e719 - e468 * e718 - e492 * e717 - e508 * e716;
+        J[43] = e720;
+        J[44] = e719;
+        J[45] = e718;
+        J[46] = e717;
+        J[47] = e716;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = e863 * inverse_370 - e380 * e874 - e505 * e873 - e543 * e872 - e574 * e871 - e596 * e870;
-        J[55] = e874;
-        J[56] = e873;
-        J[57] = e872;
-        J[58] = e871;
-        J[59] = e870;
+        J[54] = e726 * inverse_305 - e319 * e737 - e442 * e736 - e468 * e735 - e492 * e734 - e508 * e733;
+        J[55] = e737;
+        J[56] = e736;
+        J[57] = e735;
+        J[58] = e734;
+        J[59] = e733;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e883 * inverse_370 - e380 * e903 - e505 * e902 - e543 * e901 - e574 * e900 - e596 * e899;
-        J[67] = e903;
-        J[68] = e902;
-        J[69] = e901;
-        J[70] = e900;
-        J[71] = e899;
+        J[66] = e746 * inverse_305 - e319 * e765 - e442 * e764 - e468 * e763 - e492 * e762 - e508 * e761;
+        J[67] = e765;
+        J[68] = e764;
+        J[69] = e763;
+        J[70] = e762;
+        J[71] = e761;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = Scalar(0);
         J[77] = Scalar(0);
-        J[78] = e912 * inverse_370 - e380 * e925 - e505 * e924 - e543 * e923 - e574 * e922 - e596 * e921;
-        J[79] = e925;
-        J[80] = e924;
-        J[81] = e923;
-        J[82] = e922;
-        J[83] = e921;
+        J[78] = e770 * inverse_305 - e319 * e782 - e442 * e781 - e468 * e780 - e492 * e779 - e508 * e778;
+        J[79] = e782;
+        J[80] = e781;
+        J[81] = e780;
+        J[82] = e779;
+        J[83] = e778;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
         J[86] = Scalar(0);
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = e953 * inverse_370 - e380 * e973 - e505 * e972 - e543 * e971 - e574 * e970 - e596 * e969;
-        J[91] = e973;
-        J[92] = e972;
-        J[93] = e971;
-        J[94] = e970;
-        J[95] = e969;
+        J[90] = e793 * inverse_305 - e319 * e819 - e442 * e818 - e468 * e817 - e492 * e816 - e508 * e815;
+        J[91] = e819;
+        J[92] = e818;
+        J[93] = e817;
+        J[94] = e816;
+        J[95] = e815;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = Scalar(0);
         J[99] = Scalar(0);
         J[100] = Scalar(0);
         J[101] = Scalar(0);
-        J[102] = e993 * inverse_370 - e380 * e1023 - e505 * e1022 - e543 * e1021 - e574 * e1020 - e596 * e1019;
-        J[103] = e1023;
-        J[104] = e1022;
-        J[105] = e1021;
-        J[106] = e1020;
-        J[107] = e1019;
+        J[102] = e829 * inverse_305 - e319 * e859 - e442 * e858 - e468 * e857 - e492 * e856 - e508 * e855;
+        J[103] = e859;
+        J[104] = e858;
+        J[105] = e857;
+        J[106] = e856;
+        J[107] = e855;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
         J[110] = Scalar(0);
         J[111] = Scalar(0);
         J[112] = Scalar(0);
         J[113] = Scalar(0);
-        J[114] = e1028 * inverse_370 - e380 * e1049 - e505 * e1048 - e543 * e1047 - e574 * e1046 - e596 * e1045;
-        J[115] = e1049;
-        J[116] = e1048;
-        J[117] = e1047;
-        J[118] = e1046;
-        J[119] = e1045;
+        J[114] = e865 * inverse_305 - e319 * e887 - e442 * e886 - e468 * e885 - e492 * e884 - e508 * e883;
+        J[115] = e887;
+        J[116] = e886;
+        J[117] = e885;
+        J[118] = e884;
+        J[119] = e883;
         J[120] = Scalar(0);
         J[121] = Scalar(0);
         J[122] = Scalar(0);
         J[123] = Scalar(0);
         J[124] = Scalar(0);
         J[125] = Scalar(0);
-        J[126] = e1050 * inverse_370 - e380 * e1060 - e505 * e1059 - e543 * e1058 - e574 * e1057 - e596 * e1056;
-        J[127] = e1060;
-        J[128] = e1059;
-        J[129] = e1058;
-        J[130] = e1057;
-        J[131] = e1056;
+        J[126] = e888 * inverse_305 - e319 * e897 - e442 * e896 - e468 * e895 - e492 * e894 - e508 * e893;
+        J[127] = e897;
+        J[128] = e896;
+        J[129] = e895;
+        J[130] = e894;
+        J[131] = e893;
         J[132] = Scalar(0);
         J[133] = Scalar(0);
         J[134] = Scalar(0);
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(0);
-        J[138] = e1069 * inverse_370 - e380 * e1084 - e505 * e1083 - e543 * e1082 - e574 * e1081 - e596 * e1080;
-        J[139] = e1084;
-        J[140] = e1083;
-        J[141] = e1082;
-        J[142] = e1081;
-        J[143] = e1080;
+        J[138] = e903 * inverse_305 - e319 * e917 - e442 * e916 - e468 * e915 - e492 * e914 - e508 * e913;
+        J[139] = e917;
+        J[140] = e916;
+        J[141] = e915;
+        J[142] = e914;
+        J[143] = e913;
         J[144] = Scalar(0);
         J[145] = Scalar(0);
         J[146] = Scalar(0);
         J[147] = Scalar(0);
         J[148] = Scalar(0);
         J[149] = Scalar(0);
-        J[150] = e1085 * inverse_370 - e380 * e1097 - e505 * e1096 - e543 * e1095 - e574 * e1094 - e596 * e1093;
-        J[151] = e1097;
-        J[152] = e1096;
-        J[153] = e1095;
-        J[154] = e1094;
-        J[155] = e1093;
+        J[150] = e918 * inverse_305 - e319 * e930 - e442 * e929 - e468 * e928 - e492 * e927 - e508 * e926;
+        J[151] = e930;
+        J[152] = e929;
+        J[153] = e928;
+        J[154] = e927;
+        J[155] = e926;
         J[156] = Scalar(0);
         J[157] = Scalar(0);
         J[158] = Scalar(0);
         J[159] = Scalar(0);
         J[160] = Scalar(0);
         J[161] = Scalar(0);
-        J[162] = e1098 * inverse_370 - e380 * e1108 - e505 * e1107 - e543 * e1106 - e574 * e1105 - e596 * e1104;
-        J[163] = e1108;
-        J[164] = e1107;
-        J[165] = e1106;
-        J[166] = e1105;
-        J[167] = e1104;
+        J[162] = e931 * inverse_305 - e319 * e941 - e442 * e940 - e468 * e939 - e492 * e938 - e508 * e937;
+        J[163] = e941;
+        J[164] = e940;
+        J[165] = e939;
+        J[166] = e938;
+        J[167] = e937;
         J[168] = Scalar(0);
         J[169] = Scalar(0);
         J[170] = Scalar(0);
         J[171] = Scalar(0);
         J[172] = Scalar(0);
         J[173] = Scalar(0);
-        J[174] = -e380 * e1115 - e505 * e1114 - e543 * e1113 - e574 * e1112 - e596 * e1111;
-        J[175] = e1115;
-        J[176] = e1114;
-        J[177] = e1113;
-        J[178] = e1112;
-        J[179] = e1111;
+        J[174] = -e319 * e948 - e442 * e947 - e468 * e946 - e492 * e945 - e508 * e944;
+        J[175] = e948;
+        J[176] = e947;
+        J[177] = e946;
+        J[178] = e945;
+        J[179] = e944;
         J[180] = Scalar(0);
         J[181] = Scalar(0);
         J[182] = Scalar(0);
         J[183] = Scalar(0);
         J[184] = Scalar(0);
         J[185] = Scalar(0);
-        J[186] = -e380 * e1127 - e505 * e1126 - e543 * e1125 - e574 * e1124 - e596 * e1123;
-        J[187] = e1127;
-        J[188] = e1126;
-        J[189] = e1125;
-        J[190] = e1124;
-        J[191] = e1123;
+        J[186] = -e319 * e966 - e442 * e965 - e468 * e964 - e492 * e963 - e508 * e962;
+        J[187] = e966;
+        J[188] = e965;
+        J[189] = e964;
+        J[190] = e963;
+        J[191] = e962;
     }
 
     /// J = df/dt at fixed x and u.
@@ -3311,7 +3101,7 @@ public:
     }
 
     /// Mass matrix M(q, t), symmetric.
-    /// Operations: 135 + or -, 207 *, 10 sin or cos
+    /// Operations: 128 + or -, 202 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
         const Scalar q_4 = x[3];
@@ -3323,129 +3113,131 @@ public:
         const Scalar q_3 = x[2];
         Scalar sin_q_3, cos_q_3;
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
-        const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
-        const Scalar e2 = cos_q_2 * sin_q_3;
-        const Scalar e3 = cos_q_3 * sin_q_2;
-        const Scalar e4 = e2 + e3;
-        const Scalar e5 = c_.k61 * e1 - (c_.k59 * e4 - c_.k62 * cos_q_2);
-        const Scalar e6 = c_.k60 * e1;
-        const Scalar e7 = cos_q_4 * e5 - sin_q_4 * e6;
-        const Scalar e8 = sin_q_4 * e5 + cos_q_4 * e6;
-        const Scalar e9 = e2 * e2 + e3 * e3;
-        const Scalar e10 = p_.J_5 * sin_q_4;
-        const Scalar e11 = e2 * e3;
-        const Scalar e12 = p_.d_4 * e4;
-        const Scalar e13 = c_.k66 * cos_q_2 + c_.k65 * e1 + e12;
-        const Scalar q_6 = x[5];
-        Scalar sin_q_6, cos_q_6;
-        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
+        const Scalar e1 = cos_q_2 * sin_q_3 + cos_q_3 * sin_q_2;
+        const Scalar e2 = cos_q_4 * e1;
+        const Scalar e3 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
+        const Scalar e4 = p_.d_3 * e3;
+        const Scalar e5 = p_.d_4 * e1;
+        const Scalar e6 = p_.a_2 * cos_q_2 + p_.a_3 * e3 - e5;
+        const Scalar e7 = sin_q_4 * e4 - cos_q_4 * e6;
+        const Scalar e8 = p_.d_4 * e2 - Scalar(5) * e7;
+        const Scalar e9 = sin_q_4 * e6 + cos_q_4 * e4;
+        const Scalar e10 = sin_q_4 * e1;
+        const Scalar e11 = Scalar(5) * e9 + p_.d_4 * e10;
+        const Scalar e12 = c_.k56 * cos_q_2 + c_.k57 * e3 + e5;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
-        const Scalar e14 = cos_q_5 * sin_q_4;
-        const Scalar e15 = cos_q_4 * cos_q_6 - sin_q_6 * e14;
-        const Scalar e16 = p_.a_3 * e1 + (p_.a_2 * cos_q_2 - e12);
-        const Scalar e17 = cos_q_4 * sin_q_5;
-        const Scalar e18 = e4 * e17 - cos_q_5 * e1;
-        const Scalar e19 = cos_q_4 * cos_q_5;
-        const Scalar e20 = cos_q_6 * e19 - sin_q_4 * sin_q_6;
-        const Scalar e21 = cos_q_6 * sin_q_5;
-        const Scalar e22 = e4 * e20 + e1 * e21;
-        const Scalar e23 = sin_q_5 * sin_q_6;
-        const Scalar e24 = p_.d_3 * e4;
-        const Scalar e25 = cos_q_6 * sin_q_4 + sin_q_6 * e19;
-        const Scalar e26 = p_.d_3 * e1;
-        const Scalar e27 = e15 * e16 - p_.c_x * e18 - p_.c_z * e22 + e23 * e24 - e25 * e26;
-        const Scalar e28 = p_.m_6 * e27;
-        const Scalar e29 = cos_q_4 * sin_q_6 + cos_q_6 * e14;
-        const Scalar e30 = e4 * e25 + e1 * e23;
-        const Scalar e31 = e29 * e16 - p_.c_z * e30 - e21 * e24 + e20 * e26;
-        const Scalar e32 = p_.m_6 * e31;
-        const Scalar e33 = sin_q_4 * sin_q_5;
-        const Scalar e34 = e33 * e16 - p_.c_x * e30 + cos_q_5 * e24 + e17 * e26;
-        const Scalar e35 = p_.m_6 * e34;
-        const Scalar e36 = -e18;
-        const Scalar e37 = c_.k2 * e36;
-        const Scalar e38 = p_.J_5 * e22;
-        const Scalar e39 = sin_q_5 * e1 + e4 * e19;
-        const Scalar e40 = p_.J_5 * e39;
-        const Scalar e41 = c_.k2 * e30;
-        const Scalar e42 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e43 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e44 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e45 = p_.c_x * e33 + p_.c_z * e29;
-        const Scalar e46 = e23 * e42 + e25 * e44 - e45;
-        const Scalar e47 = p_.c_z * e15;
-        const Scalar e48 = e20 * e44 + e42 * e21 - e47;
-        const Scalar e49 = p_.c_x * e15;
-        const Scalar e50 = cos_q_5 * e42 - e44 * e17 + e49;
-        const Scalar e51 = p_.J_5 * e29;
-        const Scalar e52 = c_.k2 * e15;
-        const Scalar e53 = (cos_q_4 * e4 - cos_q_5 * e39) * e10 + e33 * e37 - (e22 * e51 - e30 * e52);
-        const Scalar e54 = cos_q_4 * e8 - sin_q_4 * e7;
-        const Scalar e55 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e56 = c_.k6 * e55;
-        const Scalar e57 = p_.J_5 * e33;
-        const Scalar e58 = e29 * e51 + (e15 * e52 + e33 * e57);
-        const Scalar e59 = p_.m_6 * e46;
-        const Scalar e60 = p_.m_6 * e50;
-        const Scalar e61 = p_.m_6 * e48;
-        const Scalar e62 = p_.a_3 * e23 - p_.d_4 * e25 - e45;
-        const Scalar e63 = p_.a_3 * e21 - p_.d_4 * e20 - e47;
-        const Scalar e64 = p_.a_3 * cos_q_5 + p_.d_4 * e17 + e49;
-        const Scalar e65 = p_.m_6 * e62;
-        const Scalar e66 = e41 - (c_.k21 * e31 + c_.k22 * e34);
-        const Scalar e67 = p_.c_x * cos_q_5 - p_.c_z * e21;
-        const Scalar e68 = cos_q_5 * e57 - e51 * e21;
-        const Scalar e69 = e52 - (c_.k21 * e48 - c_.k22 * e50);
-        const Scalar e70 = e52 - (c_.k21 * e63 - c_.k22 * e64);
-        const Scalar e71 = c_.k25 * e23;
-        const Scalar e72 = c_.k21 * sin_q_6;
-        const Scalar e73 = p_.J_5 * cos_q_4 + sin_q_6 * e51;
-        M[0] = c_.k6 * (e7 * e7 + e8 * e8) + sin_q_4 * (e9 * e10 + c_.k2 * sin_q_4 * e11) + c_.k0 + c_.k3 * cos_q_2 * cos_q_2
-            + c_.k5 * e13 * e13 + c_.k7 * e1 * e1 + c_.k8 * e4 * e4 + c_.k4 * e9 + e27 * e28 + e31 * e32 + e34 * e35 + e36
-            * e37 + e22 * e38 + e39 * e40 + e30 * e41 + c_.k1 * e11;
-        M[1] = c_.k9 * sin_q_2 + c_.k10 * e42 * e4 - c_.k11 * e43 * e1 + e46 * e28 - e48 * e32 + e50 * e35 - e53 - e54 * e56;
-        M[2] = c_.k16 * e4 - c_.k15 * e1 + c_.k14 * e54 + e62 * e28 - e63 * e32 + e64 * e35 - e53;
-        M[3] = -c_.k23 * e1 - e23 * e66 - e67 * e28 - cos_q_5 * e37 - e21 * e38 - sin_q_5 * e40;
-        M[4] = sin_q_6 * e38 - cos_q_6 * e66 - e27 * e72 - e4 * e10;
-        M[5] = -c_.k22 * e27 - p_.J_5 * e36;
+        const Scalar e13 = sin_q_5 * e2 - cos_q_5 * e3;
+        const Scalar q_6 = x[5];
+        Scalar sin_q_6, cos_q_6;
+        detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
+        const Scalar e14 = sin_q_5 * e3 + cos_q_5 * e2;
+        const Scalar e15 = cos_q_6 * e14 - sin_q_6 * e10;
+        const Scalar e16 = p_.d_3 * e1;
+        const Scalar e17 = sin_q_5 * e16 - cos_q_5 * e9;
+        const Scalar e18 = p_.c_x * e13 + p_.c_z * e15 + (cos_q_6 * e7 - sin_q_6 * e17);
+        const Scalar e19 = p_.m_6 * e18;
+        const Scalar e20 = p_.J_5 * e15;
+        const Scalar e21 = sin_q_6 * e14 + cos_q_6 * e10;
+        const Scalar e22 = p_.c_x * e21 - (sin_q_5 * e9 + cos_q_5 * e16);
+        const Scalar e23 = p_.m_6 * e22;
+        const Scalar e24 = p_.c_z * e21 + (cos_q_6 * e17 + sin_q_6 * e7);
+        const Scalar e25 = p_.m_6 * e24;
+        const Scalar e26 = p_.J_5 * e14;
+        const Scalar e27 = c_.k5 * e13;
+        const Scalar e28 = c_.k5 * e21;
+        const Scalar e29 = p_.J_5 * sin_q_4;
+        const Scalar e30 = e1 * e29;
+        const Scalar e31 = p_.a_3 + p_.a_2 * cos_q_3;
+        const Scalar e32 = p_.d_4 + c_.k56 * sin_q_3;
+        const Scalar e33 = cos_q_6 * sin_q_4;
+        const Scalar e34 = cos_q_4 * sin_q_6 + cos_q_5 * e33;
+        const Scalar e35 = sin_q_4 * sin_q_5;
+        const Scalar e36 = p_.c_z * e34 + p_.c_x * e35;
+        const Scalar e37 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e38 = cos_q_4 * e37;
+        const Scalar e39 = sin_q_5 * e31 + cos_q_5 * e38;
+        const Scalar e40 = e36 - (sin_q_6 * e39 + e37 * e33);
+        const Scalar e41 = sin_q_4 * sin_q_6;
+        const Scalar e42 = cos_q_4 * cos_q_6 - cos_q_5 * e41;
+        const Scalar e43 = p_.J_5 * e34;
+        const Scalar e44 = e29 * (e2 - cos_q_5 * e14) - (c_.k5 * (e13 * e35 - e42 * e21) + e15 * e43);
+        const Scalar e45 = p_.c_x * e42;
+        const Scalar e46 = e45 - (sin_q_5 * e38 - cos_q_5 * e31);
+        const Scalar e47 = p_.c_z * e42;
+        const Scalar e48 = e47 - (cos_q_6 * e39 - e37 * e41);
+        const Scalar e49 = cos_q_4 * e11 - sin_q_4 * e8;
+        const Scalar e50 = p_.d_4 + Scalar(5) * e37;
+        const Scalar e51 = c_.k6 * e50;
+        const Scalar e52 = c_.k5 * e42;
+        const Scalar e53 = sin_q_5 * e29;
+        const Scalar e54 = e34 * e43 + (e42 * e52 + e35 * e53);
+        const Scalar e55 = p_.m_6 * e40;
+        const Scalar e56 = p_.m_6 * e46;
+        const Scalar e57 = p_.m_6 * e48;
+        const Scalar e58 = p_.d_4 * cos_q_4;
+        const Scalar e59 = p_.a_3 * sin_q_5 - cos_q_5 * e58;
+        const Scalar e60 = p_.d_4 * e33 - sin_q_6 * e59 + e36;
+        const Scalar e61 = p_.a_3 * cos_q_5 + sin_q_5 * e58 + e45;
+        const Scalar e62 = e47 - (cos_q_6 * e59 + p_.d_4 * e41);
+        const Scalar e63 = p_.m_6 * e60;
+        const Scalar e64 = cos_q_6 * sin_q_5;
+        const Scalar e65 = p_.c_x * cos_q_5 - p_.c_z * e64;
+        const Scalar e66 = sin_q_5 * sin_q_6;
+        const Scalar e67 = c_.k20 * e24 + (c_.k19 * e22 + e28);
+        const Scalar e68 = c_.k20 * e48 + (c_.k19 * e46 + e52);
+        const Scalar e69 = sin_q_5 * (cos_q_5 * e29 - cos_q_6 * e43);
+        const Scalar e70 = c_.k20 * e62 + (c_.k19 * e61 + e52);
+        const Scalar e71 = c_.k23 * e66;
+        const Scalar e72 = c_.k20 * sin_q_6;
+        const Scalar e73 = p_.J_5 * cos_q_4 + sin_q_6 * e43;
+        M[0] = c_.k6 * (e8 * e8 + e11 * e11) + c_.k0 + c_.k1 * cos_q_2 * cos_q_2 + c_.k2 * e3 * e3 + c_.k3 * e1 * e1 + c_.k4
+            * e12 * e12 + e18 * e19 + e15 * e20 + e22 * e23 + e24 * e25 + e14 * e26 + e13 * e27 + e21 * e28 + e10 * e30;
+        M[1] = c_.k7 * sin_q_2 + c_.k8 * e31 * e1 - c_.k9 * e32 * e3 + e40 * e19 - e44 - e46 * e23 - e48 * e25 - e49 * e51;
+        M[2] = c_.k14 * e1 - c_.k13 * e3 + c_.k12 * e49 + e60 * e19 - e44 - e61 * e23 - e62 * e25;
+        M[3] = e65 * e19 - c_.k21 * e3 - e66 * e67 - sin_q_5 * e26 + cos_q_5 * e27 - e20 * e64;
+        M[4] = e18 * e72 - cos_q_6 * e67 + sin_q_6 * e20 - e30;
+        M[5] = p_.J_5 * e13 + c_.k19 * e18;
         M[6] = M[1];
-        M[7] = c_.k12 + c_.k13 * e42 * e42 + c_.k5 * e43 * e43 + e58 + e46 * e59 + e55 * e56 + e50 * e60 + e48 * e61;
-        M[8] = c_.k17 + c_.k18 * e42 - c_.k14 * e55 + c_.k19 * e43 + e58 + e62 * e59 + e64 * e60 + e63 * e61;
-        M[9] = e68 + e23 * e69 - e67 * e59;
-        M[10] = e73 + cos_q_6 * e69 - e46 * e72;
-        M[11] = e57 - c_.k22 * e46;
+        M[7] = c_.k10 + c_.k11 * e31 * e31 + c_.k4 * e32 * e32 + e54 + e40 * e55 + e50 * e51 + e46 * e56 + e48 * e57;
+        M[8] = c_.k15 + c_.k16 * e31 + c_.k17 * e32 - c_.k12 * e50 + e54 + e60 * e55 + e61 * e56 + e62 * e57;
+        M[9] = e66 * e68 + e65 * e55 + e69;
+        M[10] = cos_q_6 * e68 + e73 + e40 * e72;
+        M[11] = c_.k19 * e40 + e53;
         M[12] = M[2];
         M[13] = M[8];
-        M[14] = p_.m_6 * (e64 * e64 + e63 * e63) + c_.k20 + e58 + e62 * e65;
-        M[15] = e68 + e23 * e70 - e67 * e65;
-        M[16] = e73 + cos_q_6 * e70 - e62 * e72;
-        M[17] = e57 - c_.k22 * e62;
+        M[14] = p_.m_6 * (e61 * e61 + e62 * e62) + c_.k18 + e54 + e60 * e63;
+        M[15] = e66 * e70 + e65 * e63 + e69;
+        M[16] = cos_q_6 * e70 + e73 + e60 * e72;
+        M[17] = c_.k19 * e60 + e53;
         M[18] = M[3];
         M[19] = M[9];
         M[20] = M[15];
-        M[21] = c_.k24 + p_.m_6 * e67 * e67 + e23 * e71;
-        M[22] = e67 * e72 + cos_q_6 * e71;
-        M[23] = p_.J_5 * cos_q_5 + c_.k22 * e67;
+        M[21] = c_.k22 + p_.m_6 * e65 * e65 + e66 * e71;
+        M[22] = e65 * e72 + cos_q_6 * e71;
+        M[23] = p_.J_5 * cos_q_5 + c_.k19 * e65;
         M[24] = M[4];
         M[25] = M[10];
         M[26] = M[16];
         M[27] = M[22];
-        M[28] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
-        M[29] = c_.k28 * sin_q_6;
+        M[28] = c_.k24 + c_.k25 * cos_q_6 * cos_q_6;
+        M[29] = c_.k26 * sin_q_6;
         M[30] = M[5];
         M[31] = M[11];
         M[32] = M[17];
         M[33] = M[23];
         M[34] = M[29];
-        M[35] = c_.k27;
+        M[35] = c_.k25;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
-    /// Operations: 266 + or -, 393 *, 10 sin or cos
+    /// Operations: 235 + or -, 354 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
+        const Scalar q_4 = x[3];
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_2 = x[1];
         Scalar sin_q_2, cos_q_2;
         detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
@@ -3454,178 +3246,168 @@ public:
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
         const Scalar e2 = cos_q_2 * sin_q_3 + cos_q_3 * sin_q_2;
-        const Scalar q_4 = x[3];
-        Scalar sin_q_4, cos_q_4;
-        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
+        const Scalar e3 = p_.d_4 * e2;
+        const Scalar e4 = p_.a_2 * cos_q_2 + p_.a_3 * e1 - e3;
+        const Scalar e5 = p_.d_3 * e1;
+        const Scalar e6 = sin_q_4 * e4 + cos_q_4 * e5;
+        const Scalar e7 = cos_q_4 * e2;
+        const Scalar e8 = sin_q_4 * e5 - cos_q_4 * e4;
+        const Scalar e9 = sin_q_4 * e2;
+        const Scalar q_2_dot = x[7];
+        const Scalar q_3_dot = x[8];
+        const Scalar e10 = q_2_dot + q_3_dot;
+        const Scalar e11 = p_.d_4 * e10;
+        const Scalar q_1_dot = x[6];
+        const Scalar e12 = q_1_dot * cos_q_2;
+        const Scalar e13 = p_.d_3 * e12;
+        const Scalar e14 = cos_q_3 * e13;
+        const Scalar e15 = q_1_dot * sin_q_2;
+        const Scalar e16 = p_.d_3 * e15;
+        const Scalar e17 = p_.a_2 * q_2_dot + e16;
+        const Scalar e18 = e14 - sin_q_3 * e17;
+        const Scalar e19 = e11 - Scalar(6) * e18;
+        const Scalar e20 = q_3_dot * e17 + q_2_dot * e16;
+        const Scalar e21 = e10 * e14 - sin_q_3 * e20;
+        const Scalar e22 = q_1_dot * e2;
+        const Scalar e23 = q_1_dot * (c_.k56 * cos_q_2 + c_.k57 * e1 + e3);
+        const Scalar e24 = e10 * e19 + Scalar(6) * e21 + e22 * e23;
+        const Scalar e25 = sin_q_4 * e10 + q_1_dot * e7;
+        const Scalar e26 = q_1_dot * e4;
+        const Scalar e27 = e18 + e11;
+        const Scalar e28 = cos_q_4 * e26 - sin_q_4 * e27;
+        const Scalar e29 = p_.d_4 * e25 + Scalar(5) * e28;
+        const Scalar e30 = cos_q_4 * e10 - q_1_dot * e9;
+        const Scalar e31 = cos_q_4 * e27 + sin_q_4 * e26;
+        const Scalar e32 = p_.d_4 * e30 - Scalar(5) * e31;
+        const Scalar e33 = Scalar(5) * e21 + e25 * e29 + e30 * e32;
+        const Scalar e34 = sin_q_3 * e13;
+        const Scalar e35 = p_.a_3 * e10 + (cos_q_3 * e17 + e34);
+        const Scalar e36 = q_1_dot * e1;
+        const Scalar q_4_dot = x[9];
+        const Scalar e37 = e36 - q_4_dot;
+        const Scalar e38 = e10 * e1;
+        const Scalar e39 = q_1_dot * e38 + q_4_dot * e10;
+        const Scalar e40 = q_1_dot * q_4_dot;
+        const Scalar e41 = cos_q_4 * e39 - e9 * e40;
+        const Scalar e42 = e10 * e2;
+        const Scalar e43 = q_2_dot * sin_q_2;
+        const Scalar e44 = p_.d_4 * e38;
+        const Scalar e45 = q_1_dot * (p_.a_3 * e42 + p_.a_2 * e43 + e44) + q_4_dot * e27;
+        const Scalar e46 = cos_q_3 * e20 + e10 * e34;
+        const Scalar e47 = e4 * e40 - e46;
+        const Scalar e48 = cos_q_4 * e45 + sin_q_4 * e47;
+        const Scalar e49 = Scalar(5) * e25 * e35 - e37 * e32 - (p_.d_4 * e41 - Scalar(5) * e48);
+        const Scalar e50 = sin_q_4 * e39 + e7 * e40;
+        const Scalar e51 = cos_q_4 * e47 - sin_q_4 * e45;
+        const Scalar e52 = Scalar(5) * e30 * e35 + e37 * e29 + (p_.d_4 * e50 + Scalar(5) * e51);
+        const Scalar q_1 = x[0];
+        const Scalar e53 = c_.k54 * e15;
+        const Scalar e54 = c_.k55 * q_2_dot + e53;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
-        const Scalar e3 = cos_q_4 * cos_q_5;
-        const Scalar e4 = sin_q_5 * e1 + e2 * e3;
-        const Scalar e5 = cos_q_4 * sin_q_5;
-        const Scalar e6 = e2 * e5;
-        const Scalar e7 = cos_q_5 * e1;
-        const Scalar e8 = e6 - e7;
-        const Scalar e9 = cos_q_5 * e4 + sin_q_5 * e8;
-        const Scalar e10 = sin_q_4 * e2;
-        const Scalar e11 = cos_q_4 * e9 + sin_q_4 * e10;
-        const Scalar e12 = cos_q_4 * e10 - sin_q_4 * e9;
+        const Scalar e55 = sin_q_5 * e7 - cos_q_5 * e1;
+        const Scalar q_5_dot = x[10];
+        const Scalar e56 = q_1_dot * e42;
+        const Scalar e57 = q_5_dot * e25 + e56;
+        const Scalar e58 = q_5_dot * e37 + e41;
+        const Scalar e59 = cos_q_5 * e57 + sin_q_5 * e58;
         const Scalar q_6 = x[5];
         Scalar sin_q_6, cos_q_6;
         detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
-        const Scalar e13 = c_.k35 * sin_q_6 * e9 + e10 * (c_.k35 * cos_q_5 * cos_q_6 - c_.k36 * sin_q_5);
-        const Scalar e14 = cos_q_5 * e8 - sin_q_5 * e4;
-        const Scalar q_4_dot = x[9];
-        const Scalar q_1_dot = x[6];
-        const Scalar e15 = q_1_dot * e10;
-        const Scalar q_2_dot = x[7];
-        const Scalar q_3_dot = x[8];
-        const Scalar e16 = q_2_dot + q_3_dot;
-        const Scalar e17 = e16 * e1;
-        const Scalar e18 = q_4_dot * e16 + q_1_dot * e17;
-        const Scalar e19 = q_4_dot * e15 - cos_q_4 * e18;
-        const Scalar e20 = e15 - cos_q_4 * e16;
-        const Scalar e21 = -e20;
-        const Scalar e22 = q_1_dot * e1;
-        const Scalar e23 = e22 - q_4_dot;
-        const Scalar e24 = c_.k35 * (cos_q_6 * e10 + sin_q_6 * e4);
-        const Scalar e25 = c_.k23 * (Scalar(2) * (-e19) + e21 * e23) + (c_.k36 * cos_q_5 * e10 + sin_q_5 * e24);
-        const Scalar e26 = q_1_dot * e2;
-        const Scalar e27 = q_4_dot * e26;
-        const Scalar e28 = sin_q_4 * e18 + cos_q_4 * e27;
-        const Scalar e29 = sin_q_4 * e16 + cos_q_4 * e26;
-        const Scalar e30 = c_.k36 * e4 - p_.J_5 * e28;
-        const Scalar e31 = c_.k23 * (Scalar(2) * e28 + e29 * e23) - e30;
-        const Scalar e32 = c_.k59 * e2 - (c_.k61 * e1 + c_.k62 * cos_q_2);
-        const Scalar e33 = c_.k60 * e1;
-        const Scalar e34 = q_1_dot * sin_q_2;
-        const Scalar e35 = p_.a_2 * q_2_dot + p_.d_3 * e34;
-        const Scalar e36 = q_1_dot * cos_q_2;
-        const Scalar e37 = p_.d_3 * e36;
-        const Scalar e38 = p_.a_3 * e16 + (cos_q_3 * e35 + sin_q_3 * e37);
-        const Scalar e39 = p_.d_4 * e16;
-        const Scalar e40 = cos_q_3 * e37;
-        const Scalar e41 = sin_q_3 * e35;
-        const Scalar e42 = e39 + (e40 - e41);
-        const Scalar e43 = p_.a_3 * e1;
-        const Scalar e44 = p_.d_4 * e2;
-        const Scalar e45 = p_.a_2 * cos_q_2;
-        const Scalar e46 = q_1_dot * (e43 - e44 + e45);
-        const Scalar e47 = cos_q_4 * e42 + sin_q_4 * e46;
-        const Scalar e48 = p_.d_4 * e20 + Scalar(5) * e47;
-        const Scalar e49 = -e48;
-        const Scalar e50 = q_2_dot * sin_q_2;
-        const Scalar e51 = q_1_dot * e50;
-        const Scalar e52 = sin_q_3 * e16;
-        const Scalar e53 = q_3_dot * e35;
-        const Scalar e54 = c_.k60 * (cos_q_3 * e51 + e36 * e52) + Scalar(5) * cos_q_3 * e53;
-        const Scalar e55 = e16 * e2;
-        const Scalar e56 = q_1_dot * (c_.k62 * e50 + c_.k59 * e17 + c_.k61 * e55);
-        const Scalar e57 = Scalar(5) * e29 * e38 - e23 * e49 + (q_4_dot * e48 - sin_q_4 * e54 + cos_q_4 * e56);
-        const Scalar e58 = cos_q_4 * e46 - sin_q_4 * e42;
-        const Scalar e59 = p_.d_4 * e29 + Scalar(5) * e58;
-        const Scalar e60 = cos_q_4 * e54 - q_4_dot * e59 + sin_q_4 * e56 - Scalar(5) * e21 * e38 - e23 * e59;
-        const Scalar e61 = p_.d_3 * e51 + e53;
-        const Scalar e62 = cos_q_3 * e61 + e37 * e52;
-        const Scalar e63 = q_1_dot * (c_.k66 * cos_q_2 + c_.k65 * e1 + e44);
-        const Scalar e64 = Scalar(6) * e16 * e38 - Scalar(6) * e62 + e22 * e63;
-        const Scalar e65 = e16 * e40 - sin_q_3 * e61;
-        const Scalar e66 = c_.k58 * cos_q_3 * e36 - e39 - Scalar(6) * e41;
-        const Scalar e67 = Scalar(6) * e65 - e16 * e66 + e26 * e63;
-        const Scalar q_1 = x[0];
-        const Scalar e68 = c_.k64 * q_2_dot + c_.k63 * e34;
-        const Scalar e69 = Scalar(5) * e65 + e29 * e59 + e21 * e49;
-        const Scalar e70 = cos_q_6 * sin_q_5;
-        const Scalar e71 = p_.c_x * cos_q_5 - p_.c_z * e70;
-        const Scalar e72 = cos_q_5 * sin_q_4;
-        const Scalar e73 = cos_q_4 * cos_q_6 - sin_q_6 * e72;
-        const Scalar e74 = e44 - (e43 + e45);
-        const Scalar e75 = cos_q_6 * sin_q_4 + sin_q_6 * e3;
-        const Scalar e76 = p_.d_3 * e1;
-        const Scalar e77 = sin_q_5 * sin_q_6;
-        const Scalar e78 = p_.d_3 * e2;
-        const Scalar e79 = cos_q_6 * e3 - sin_q_4 * sin_q_6;
-        const Scalar e80 = e2 * e79;
-        const Scalar e81 = cos_q_5 * e29 + sin_q_5 * e23;
-        const Scalar q_5_dot = x[10];
-        const Scalar e82 = q_5_dot + e21;
-        const Scalar e83 = cos_q_6 * e81 + sin_q_6 * e82;
-        const Scalar e84 = cos_q_5 * e38 + sin_q_5 * e47;
-        const Scalar e85 = cos_q_6 * e82 - sin_q_6 * e81;
-        const Scalar e86 = e84 + p_.c_x * e85;
+        const Scalar e60 = cos_q_5 * e25 + sin_q_5 * e37;
+        const Scalar e61 = q_5_dot + e30;
+        const Scalar e62 = cos_q_6 * e60 + sin_q_6 * e61;
+        const Scalar e63 = cos_q_6 * e61 - sin_q_6 * e60;
+        const Scalar e64 = e59 + e62 * e63;
+        const Scalar e65 = Scalar(6) * e10 * e35 - Scalar(6) * e46 + e36 * e23;
+        const Scalar e66 = p_.J_5 * e50;
+        const Scalar e67 = c_.k21 * (Scalar(2) * e50 + e25 * e37) + e66;
+        const Scalar e68 = sin_q_5 * e1 + cos_q_5 * e7;
+        const Scalar e69 = cos_q_6 * e68 - sin_q_6 * e9;
+        const Scalar e70 = p_.d_3 * e2;
+        const Scalar e71 = sin_q_5 * e70 - cos_q_5 * e6;
+        const Scalar e72 = cos_q_6 * e8 - sin_q_6 * e71;
+        const Scalar e73 = cos_q_5 * e35 + sin_q_5 * e31;
+        const Scalar e74 = p_.c_x * e63 + e73;
         const Scalar q_6_dot = x[11];
-        const Scalar e87 = q_6_dot - (cos_q_5 * e23 - sin_q_5 * e29);
-        const Scalar e88 = cos_q_5 * e47 - sin_q_5 * e38;
-        const Scalar e89 = p_.c_z * e85 + cos_q_6 * e88;
-        const Scalar e90 = sin_q_6 * e58 + e89;
-        const Scalar e91 = q_4_dot * e46 - e62;
-        const Scalar e92 = p_.d_4 * e17;
-        const Scalar e93 = q_1_dot * (p_.a_2 * e50 + e92 + p_.a_3 * e55);
-        const Scalar e94 = q_4_dot * e42 + e93;
-        const Scalar e95 = q_5_dot * e84 - q_6_dot * e58;
-        const Scalar e96 = q_5_dot * e29 + q_1_dot * e55;
-        const Scalar e97 = q_5_dot * e23;
-        const Scalar e98 = sin_q_5 * e19 - (cos_q_5 * e96 + sin_q_5 * e97);
-        const Scalar e99 = cos_q_5 * e97 - sin_q_5 * e96;
-        const Scalar e100 = cos_q_4 * sin_q_6 + cos_q_6 * e72;
-        const Scalar e101 = cos_q_6 * e99 - (e100 * e27 - e79 * e18);
-        const Scalar e102 = e75 * e91 - e65 * e77 + e73 * e94 - sin_q_6 * e95 + q_6_dot * e89 - p_.c_x * e98 + p_.c_z * e101;
-        const Scalar e103 = e83 * e86 - e87 * e90 + e102;
-        const Scalar e104 = p_.m_6 * e103;
-        const Scalar e105 = p_.J_5 * (q_6_dot * e85 + e101 - e85 * e87);
-        const Scalar e106 = p_.J_5 * (e99 - cos_q_5 * e19);
-        const Scalar e107 = e2 * e75;
-        const Scalar e108 = e1 * e77 + e107;
-        const Scalar e109 = sin_q_4 * sin_q_5;
-        const Scalar e110 = sin_q_6 * e88;
-        const Scalar e111 = p_.c_z * e83 - cos_q_6 * e58 + p_.c_x * e87 + e110;
-        const Scalar e112 = e75 * e18 + e73 * e27 + (q_6_dot * e83 + sin_q_6 * e99);
-        const Scalar e113 = e62 * e5 - cos_q_5 * e65 - q_4_dot * sin_q_5 * e58 - q_5_dot * e88 + p_.c_x * e112 + e109 * e93;
-        const Scalar e114 = e83 * e111 + e85 * e90 + e113;
-        const Scalar e115 = p_.m_6 * e114;
-        const Scalar e116 = e65 * e70 - e79 * e91 + e100 * e94 + cos_q_6 * e95 + p_.c_z * e112 + q_6_dot * e110;
-        const Scalar e117 = e116 - e85 * e86 - e87 * e111;
-        const Scalar e118 = p_.m_6 * e117;
-        const Scalar e119 = c_.k2 * e112;
-        const Scalar e120 = -e98;
-        const Scalar e121 = e120 + e83 * e85;
-        const Scalar e122 = p_.J_5 * (e120 + e121);
-        const Scalar e123 = c_.k35 * e8;
-        const Scalar e124 = e36 * e34;
-        const Scalar e125 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e126 = cos_q_4 * e60 - sin_q_4 * e57;
-        const Scalar e127 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e128 = p_.c_z * e100 + p_.c_x * e109;
-        const Scalar e129 = p_.c_x * e73;
-        const Scalar e130 = p_.c_z * e73;
-        const Scalar e131 = cos_q_4 * e31 - sin_q_4 * e25 + (c_.k43 * e26 * e22 - e72 * e106 + (e73 * e119 - e109 * e122));
-        const Scalar e132 = e100 * e105 + e73 * e123 - (c_.k50 * e1 - c_.k51 * e2)
-            - (c_.k45 * e1 + c_.k46 * e2 - (c_.k34 * e14 + c_.k38 * e11));
-        const Scalar e133 = e131 - e132;
-        const Scalar e134 = c_.k22 * e114 + (c_.k21 * e117 + e119);
-        const Scalar e135 = c_.k37 * e1 - c_.k33 * e14 - c_.k38 * e12 - cos_q_4 * e25 - sin_q_4 * e31;
-        const Scalar e136 = (-cos_q_4 * e32 - sin_q_4 * e33) * e57 + (cos_q_4 * e33 - sin_q_4 * e32) * e60;
-        const Scalar e137 = c_.k40 * (q_2_dot * e68 + c_.k64 * e36 * e36 - c_.k63 * e51) - c_.k39 * e12;
-        const Scalar e138 = c_.k30 * (sin_q_2 * e68 + c_.k63 * cos_q_2 * e36 + c_.k64 * e50) + c_.k29 * e50;
-        const Scalar e139 = e1 * e71 - e73 * e74 - e75 * e76 + e77 * e78 - p_.c_z * e80 - p_.c_x * e6;
-        const Scalar e140 = c_.k5 * (c_.k66 * e50 + c_.k65 * e55 - e92 + e1 * e66 + Scalar(6) * e2 * e38) * e63;
-        b[0] = e1 * (c_.k37 * e2 + c_.k33 * e11 - c_.k34 * e12 - e13) - e2 * e135 - c_.k6 * e136 + c_.k11
-            * (e1 * e64 + e2 * e67) - p_.k_p * (Scalar(1) - q_1) + cos_q_2 * e137 - e36 * e138 + p_.k_d * q_1_dot + c_.k41 * e2
-            * e69 + c_.k32 * (Scalar(22) * e16 * e1 + Scalar(25) * e17) * e26 - c_.k31 * e55 * e22 - e139 * e104
-            + (e1 * e70 + e80) * e105 + e4 * e106 - (e5 * e76 - p_.c_x * e108 - e74 * e109 + cos_q_5 * e78) * e115
-            - (e79 * e76 - p_.c_z * e108 - e100 * e74 - e70 * e78) * e118 + e108 * e119 - e140 - (e7 - e6) * e122 - e123 * e107
-            + c_.k9 * sin_q_2 * e124;
-        b[1] = c_.k39 * (cos_q_3 * e14 - sin_q_3 * e11) - c_.k47 * (cos_q_3 * e1 + sin_q_3 * e2) + e125
-            * (c_.k48 * e67 + c_.k49 * e69) + c_.k42 + p_.k_p * q_2 + p_.k_d * q_2_dot - c_.k44 * cos_q_2 - c_.k5
-            * (p_.d_4 + c_.k66 * sin_q_3) * e64 + c_.k6 * (c_.k62 * sin_q_3 - c_.k59) * e126 - (e75 * e127 + e125 * e77 - e128)
-            * e104 - (cos_q_5 * e125 - e127 * e5 + e129) * e115 + (e79 * e127 + e125 * e70 - e130) * e118 - e133 + c_.k3 * e124;
-        b[2] = p_.k_p * q_3 - c_.k52 + p_.k_d * q_3_dot - c_.k19 * e64 + c_.k53 * e67 + c_.k54 * e69 - c_.k14 * e126
-            - (p_.a_3 * e77 - p_.d_4 * e75 - e128) * e104 - (p_.a_3 * cos_q_5 + p_.d_4 * e5 + e129) * e115
-            + (p_.a_3 * e70 - p_.d_4 * e79 - e130) * e118 - e133;
-        b[3] = c_.k23 * q_1_dot * e55 - c_.k55 * (Scalar(1) - q_4) + c_.k56 * q_4_dot + e13 - e77 * e134 + e71 * e104 - e70
-            * e105 - sin_q_5 * e106 + cos_q_5 * e122;
-        b[4] = sin_q_6 * (c_.k21 * e103 + e105) - cos_q_6 * (e134 - e123) - c_.k57 + c_.k55 * q_5 + c_.k56 * q_5_dot + e30;
-        b[5] = c_.k55 * (Scalar(1) + q_6) + c_.k56 * q_6_dot + p_.J_5 * e121 + c_.k22 * e103 + e24;
+        const Scalar e75 = q_6_dot - (cos_q_5 * e37 - sin_q_5 * e25);
+        const Scalar e76 = cos_q_5 * e31 - sin_q_5 * e35;
+        const Scalar e77 = cos_q_6 * e76 + sin_q_6 * e28;
+        const Scalar e78 = p_.c_z * e63 + e77;
+        const Scalar e79 = cos_q_5 * e58 - sin_q_5 * e57;
+        const Scalar e80 = cos_q_6 * e79 - sin_q_6 * e50 + q_6_dot * e63;
+        const Scalar e81 = sin_q_5 * e21 - cos_q_5 * e51 + q_5_dot * e73;
+        const Scalar e82 = p_.c_x * e59 + p_.c_z * e80 + (cos_q_6 * e48 - sin_q_6 * e81 + q_6_dot * e77);
+        const Scalar e83 = e62 * e74 - e75 * e78 + e82;
+        const Scalar e84 = p_.m_6 * e83;
+        const Scalar e85 = p_.J_5 * e79;
+        const Scalar e86 = sin_q_5 * e6 + cos_q_5 * e70;
+        const Scalar e87 = c_.k35 * e55;
+        const Scalar e88 = sin_q_6 * e68 + cos_q_6 * e9;
+        const Scalar e89 = cos_q_6 * e28 - sin_q_6 * e76;
+        const Scalar e90 = p_.c_z * e62 + p_.c_x * e75 - e89;
+        const Scalar e91 = cos_q_6 * e50 + sin_q_6 * e79 + q_6_dot * e62;
+        const Scalar e92 = e62 * e90 + e63 * e78 + (p_.c_x * e91 - (cos_q_5 * e21 + sin_q_5 * e51 + q_5_dot * e76));
+        const Scalar e93 = p_.m_6 * e92;
+        const Scalar e94 = c_.k35 * e88;
+        const Scalar e95 = cos_q_6 * e71 + sin_q_6 * e8;
+        const Scalar e96 = c_.k35 * e69;
+        const Scalar e97 = e63 * e74 + e75 * e90 - (p_.c_z * e91 - (q_6_dot * e89 - cos_q_6 * e81 - sin_q_6 * e48));
+        const Scalar e98 = p_.m_6 * e97;
+        const Scalar e99 = c_.k21 * (Scalar(2) * e41 + e30 * e37);
+        const Scalar e100 = c_.k5 * e91;
+        const Scalar e101 = p_.J_5 * (e80 - e63 * e75);
+        const Scalar e102 = e12 * e15;
+        const Scalar e103 = p_.a_3 + p_.a_2 * cos_q_3;
+        const Scalar e104 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e105 = cos_q_4 * e52 + sin_q_4 * e49;
+        const Scalar e106 = cos_q_5 * sin_q_4;
+        const Scalar e107 = cos_q_4 * sin_q_6 + cos_q_6 * e106;
+        const Scalar e108 = p_.c_x * sin_q_4 * sin_q_5 + p_.c_z * e107;
+        const Scalar e109 = cos_q_4 * e104;
+        const Scalar e110 = sin_q_5 * e103 + cos_q_5 * e109;
+        const Scalar e111 = sin_q_4 * e104;
+        const Scalar e112 = sin_q_6 * e110 + cos_q_6 * e111;
+        const Scalar e113 = sin_q_5 * e109 - cos_q_5 * e103;
+        const Scalar e114 = cos_q_4 * cos_q_6 - sin_q_6 * e106;
+        const Scalar e115 = p_.c_x * e114;
+        const Scalar e116 = cos_q_6 * e110 - sin_q_6 * e111;
+        const Scalar e117 = p_.c_z * e114;
+        const Scalar e118 = c_.k40 * e88 + p_.J_5 * e64;
+        const Scalar e119 = p_.J_5 * e59 + e118;
+        const Scalar e120 = e100 - (c_.k40 * e55 + c_.k45 * e69);
+        const Scalar e121 = c_.k45 * e88 + e101;
+        const Scalar e122 = cos_q_4 * e67 - sin_q_4 * (sin_q_5 * e119 + e99)
+            + (c_.k37 * e36 * e22 - e85 * e106 + (e114 * e120 - e107 * e121));
+        const Scalar e123 = p_.d_4 * sin_q_4;
+        const Scalar e124 = p_.d_4 * cos_q_4;
+        const Scalar e125 = p_.a_3 * sin_q_5 - cos_q_5 * e124;
+        const Scalar e126 = cos_q_6 * e123 - sin_q_6 * e125;
+        const Scalar e127 = p_.a_3 * cos_q_5 + sin_q_5 * e124;
+        const Scalar e128 = cos_q_6 * e125 + sin_q_6 * e123;
+        const Scalar e129 = e120 + (c_.k19 * e92 - c_.k20 * e97);
+        const Scalar e130 = cos_q_6 * sin_q_5;
+        const Scalar e131 = (p_.d_4 * e7 - Scalar(5) * e8) * e49 - (Scalar(5) * e6 + p_.d_4 * e9) * e52;
+        const Scalar e132 = c_.k28 * (sin_q_2 * e54 + c_.k54 * cos_q_2 * e12 + c_.k55 * e43) + c_.k27 * e43;
+        const Scalar e133 = c_.k4 * (Scalar(6) * e2 * e35 - e1 * e19 + (c_.k57 * e42 + c_.k56 * e43 - e44)) * e23;
+        b[0] = c_.k32 * (e6 * e7 + e8 * e9) - e2 * (c_.k33 * e1 - c_.k9 * e24 - c_.k34 * e33) - c_.k6 * e131 - p_.k_p
+            * (Scalar(1) - q_1) - e12 * e132 + p_.J_5 * e55 * (e59 + e64) + p_.k_d * q_1_dot + c_.k31 * cos_q_2
+            * (q_2_dot * (e54 - e53) + c_.k55 * e12 * e12) + c_.k9 * e1 * e65 + e67 * e9 - c_.k29 * e42 * e36
+            + (p_.c_x * e55 + p_.c_z * e69 + e72) * e84 + c_.k30 * (Scalar(22) * e10 * e1 + Scalar(25) * e38) * e22 + e68 * e85
+            + e86 * e87 + (p_.c_x * e88 - e86) * e93 + e72 * e94 - e95 * e96 - (p_.c_z * e88 + e95) * e98 - e133 + e7 * e99
+            + e88 * e100 + e69 * e101 + c_.k7 * sin_q_2 * e102;
+        b[1] = c_.k36 - e103 * (c_.k32 * e1 - c_.k41 * e24 - c_.k42 * e33) - e2 * (c_.k39 * sin_q_3 + c_.k32 * e104 + c_.k44)
+            - e1 * (c_.k39 * cos_q_3 + c_.k43) + p_.k_p * q_2 + p_.k_d * q_2_dot - c_.k38 * cos_q_2 - c_.k4
+            * (p_.d_4 + c_.k56 * sin_q_3) * e65 - c_.k6 * (p_.d_4 + Scalar(5) * e104) * e105 + (e108 - e112) * e84 - e113 * e87
+            - (e115 - e113) * e93 - e112 * e94 - e116 * e96 + (e117 - e116) * e98 - e122 + c_.k1 * e102;
+        b[2] = p_.k_p * q_3 - c_.k46 + p_.k_d * q_3_dot - c_.k47 * e1 - c_.k48 * e2 - c_.k17 * e65 + c_.k49 * e24 + c_.k50
+            * e33 + c_.k12 * e105 + (e126 + e108) * e84 + e127 * e87 - (e127 + e115) * e93 + e126 * e94 - e128 * e96
+            + (e117 - e128) * e98 - e122;
+        b[3] = c_.k52 * q_4_dot - c_.k51 * (Scalar(1) - q_4) - sin_q_5 * (sin_q_6 * e129 + e85) + cos_q_5 * e119
+            + (p_.c_x * cos_q_5 - p_.c_z * e130) * e84 + c_.k21 * e56 - e121 * e130;
+        b[4] = sin_q_6 * (c_.k20 * e83 + e121) - c_.k53 + c_.k51 * q_5 + c_.k52 * q_5_dot - cos_q_6 * e129 - e66;
+        b[5] = c_.k51 * (Scalar(1) + q_6) + c_.k52 * q_6_dot + c_.k19 * e83 + e118;
     }
 
     /// Q in M qdd + bias = Q: forces, torques and inputs.
@@ -3812,104 +3594,143 @@ public:
     }
 
     /// Kinetic energy T in joules.
-    /// Operations: 80 + or -, 164 *, 10 sin or cos
-    /// (Too long to be printed here; `dalembert derive` prints the equations.)
+    /// Operations: 62 + or -, 126 *, 10 sin or cos
+    ///     T = a_2*d_3*m_2*sin(q_2)*dot(q_1)*dot(q_2)/6 + ((a_2^2*m_2/200 + d_3^2*m_2/8 + J_1/2) + a_2^2*(181*m_2/1800 +
+    ///     m_3/2)*cos(q_2)^2 + a_2*a_3*m_3*cos(q_2)*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) +
+    ///     a_2*d_4*m_3*cos(q_2)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))/6 + m_3*(a_3^2/2 + d_4^2/200)*(cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3))^2 + a_3*d_4*m_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))/6 +
+    ///     d_4^2*m_3*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))^2/18)*dot(q_1)^2 + 19*a_2^2*m_2*dot(q_2)^2/180 + d_4^2*m_3*(dot(q_2) +
+    ///     dot(q_3))^2/24 + d_4^2*m_4*(cos(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) +
+    ///     dot(q_3)))^2/100 + d_4^2*m_4*(-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) +
+    ///     dot(q_3)))^2/100 + d_4^2*m_4*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4))^2/200 + (m_3 +
+    ///     m_4)*(a_3*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*sin(q_3)*dot(q_1) + cos(q_3)*(d_3*sin(q_2)*dot(q_1) +
+    ///     a_2*dot(q_2))))^2/2 + m_3*(d_4*(dot(q_2) + dot(q_3)) - 6*(d_3*cos(q_2)*cos(q_3)*dot(q_1) -
+    ///     sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))^2/72 + J_5*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) + sin(q_5)*((cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4)))^2/2 + J_5*(cos(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) -
+    ///     dot(q_4)) - sin(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))))^2/2 +
+    ///     J_5*(dot(q_5) + (-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3))))^2/2 +
+    ///     J_5*(cos(q_6)*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) +
+    ///     sin(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4))) + sin(q_6)*(dot(q_5) +
+    ///     (-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3)))))^2/2 +
+    ///     J_5*(cos(q_6)*(dot(q_5) + (-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3))))
+    ///     - sin(q_6)*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) +
+    ///     sin(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4))))^2 + J_5*(dot(q_6) -
+    ///     (cos(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4)) - sin(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3)))))^2/2 + m_4*(d_4*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) + 5*(cos(q_4)*(a_2*cos(q_2) + a_3*(cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2)))*dot(q_1) - sin(q_4)*(d_4*(dot(q_2) + dot(q_3)) +
+    ///     (d_3*cos(q_2)*cos(q_3)*dot(q_1) - sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))))^2/50 +
+    ///     m_4*(d_4*(-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3))) -
+    ///     5*(sin(q_4)*(a_2*cos(q_2) + a_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2)))*dot(q_1) + cos(q_4)*(d_4*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*cos(q_3)*dot(q_1) -
+    ///     sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))))^2/50 + m_6*(c_x*(cos(q_6)*(dot(q_5) + (-sin(q_4)*(cos(q_2)*sin(q_3)
+    ///     + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3)))) - sin(q_6)*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) + sin(q_5)*((cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4)))) + (cos(q_5)*(a_3*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*sin(q_3)*dot(q_1) +
+    ///     cos(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2)))) + sin(q_5)*(sin(q_4)*(a_2*cos(q_2) + a_3*(cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2)))*dot(q_1) + cos(q_4)*(d_4*(dot(q_2) + dot(q_3)) +
+    ///     (d_3*cos(q_2)*cos(q_3)*dot(q_1) - sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2)))))))^2/2 + m_6*(c_x*(dot(q_6) -
+    ///     (cos(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4)) - sin(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))))) + c_z*(cos(q_6)*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) + dot(q_3))) + sin(q_5)*((cos(q_2)*cos(q_3) -
+    ///     sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4))) + sin(q_6)*(dot(q_5) + (-sin(q_4)*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) + dot(q_3))))) - (cos(q_6)*(cos(q_4)*(a_2*cos(q_2) +
+    ///     a_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2)))*dot(q_1) -
+    ///     sin(q_4)*(d_4*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*cos(q_3)*dot(q_1) - sin(q_3)*(d_3*sin(q_2)*dot(q_1) +
+    ///     a_2*dot(q_2))))) - sin(q_6)*(cos(q_5)*(sin(q_4)*(a_2*cos(q_2) + a_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) -
+    ///     d_4*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2)))*dot(q_1) + cos(q_4)*(d_4*(dot(q_2) + dot(q_3)) +
+    ///     (d_3*cos(q_2)*cos(q_3)*dot(q_1) - sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))) - sin(q_5)*(a_3*(dot(q_2) +
+    ///     dot(q_3)) + (d_3*cos(q_2)*sin(q_3)*dot(q_1) + cos(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2)))))))^2/2 +
+    ///     m_6*(c_z*(cos(q_6)*(dot(q_5) + (-sin(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + cos(q_4)*(dot(q_2) +
+    ///     dot(q_3)))) - sin(q_6)*(cos(q_5)*(cos(q_4)*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2))*dot(q_1) + sin(q_4)*(dot(q_2) +
+    ///     dot(q_3))) + sin(q_5)*((cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3))*dot(q_1) - dot(q_4)))) +
+    ///     (cos(q_6)*(cos(q_5)*(sin(q_4)*(a_2*cos(q_2) + a_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) +
+    ///     cos(q_3)*sin(q_2)))*dot(q_1) + cos(q_4)*(d_4*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*cos(q_3)*dot(q_1) -
+    ///     sin(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))) - sin(q_5)*(a_3*(dot(q_2) + dot(q_3)) +
+    ///     (d_3*cos(q_2)*sin(q_3)*dot(q_1) + cos(q_3)*(d_3*sin(q_2)*dot(q_1) + a_2*dot(q_2))))) + sin(q_6)*(cos(q_4)*(a_2*cos(q_2)
+    ///     + a_3*(cos(q_2)*cos(q_3) - sin(q_2)*sin(q_3)) - d_4*(cos(q_2)*sin(q_3) + cos(q_3)*sin(q_2)))*dot(q_1) -
+    ///     sin(q_4)*(d_4*(dot(q_2) + dot(q_3)) + (d_3*cos(q_2)*cos(q_3)*dot(q_1) - sin(q_3)*(d_3*sin(q_2)*dot(q_1) +
+    ///     a_2*dot(q_2)))))))^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
-        const Scalar q_1_dot = x[6];
-        const Scalar q_1_dot_squared = q_1_dot * q_1_dot;
-        const Scalar e1 = p_.d_4 * p_.d_4;
-        const Scalar e2 = p_.m_3 * e1;
-        const Scalar e3 = p_.a_2 * p_.a_2;
-        const Scalar e4 = p_.m_2 * e3;
-        const Scalar e5 = p_.d_3 * p_.d_3;
-        const Scalar q_2 = x[1];
-        Scalar sin_q_2, cos_q_2;
-        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
-        const Scalar q_3 = x[2];
-        Scalar sin_q_3, cos_q_3;
-        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
-        const Scalar e6 = sin_q_2 * sin_q_3;
-        const Scalar e7 = cos_q_2 * cos_q_3 - e6;
-        const Scalar e8 = cos_q_3 * sin_q_2;
-        const Scalar e9 = cos_q_2 * sin_q_3 + e8;
-        const Scalar e10 = p_.a_2 * cos_q_2 + p_.a_3 * e7 - p_.d_4 * e9;
-        const Scalar e11 = (Scalar(1) / Scalar(2)) * p_.m_4;
-        const Scalar e12 = (Scalar(91) / Scalar(1800)) * e2;
-        const Scalar e13 = p_.a_3 * p_.m_3;
-        const Scalar e14 = (Scalar(1) / Scalar(2)) * p_.a_3 * e13;
-        const Scalar q_2_dot = x[7];
-        const Scalar q_3_dot = x[8];
-        const Scalar e15 = p_.m_3 * (p_.a_3 * p_.a_3 + (Scalar(1) / Scalar(36)) * e1);
-        const Scalar e16 = (Scalar(1) / Scalar(2)) * e15;
-        const Scalar e17 = q_1_dot * sin_q_2;
-        const Scalar e18 = cos_q_2 * q_1_dot_squared;
-        const Scalar e19 = cos_q_2 * e18;
-        const Scalar e20 = q_2_dot + q_3_dot;
-        const Scalar e21 = q_1_dot * cos_q_2;
-        const Scalar e22 = e20 * e21;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         const Scalar q_4 = x[3];
         Scalar sin_q_4, cos_q_4;
         detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
-        const Scalar e23 = q_1_dot * e9;
-        const Scalar e24 = sin_q_4 * e20 + cos_q_4 * e23;
+        const Scalar q_2_dot = x[7];
+        const Scalar q_3_dot = x[8];
+        const Scalar e1 = q_2_dot + q_3_dot;
+        const Scalar q_1_dot = x[6];
+        const Scalar q_3 = x[2];
+        Scalar sin_q_3, cos_q_3;
+        detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
+        const Scalar q_2 = x[1];
+        Scalar sin_q_2, cos_q_2;
+        detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
+        const Scalar e2 = cos_q_2 * sin_q_3;
+        const Scalar e3 = cos_q_3 * sin_q_2 + e2;
+        const Scalar e4 = q_1_dot * e3;
+        const Scalar e5 = sin_q_4 * e1 + cos_q_4 * e4;
+        const Scalar e6 = cos_q_2 * cos_q_3;
+        const Scalar e7 = e6 - sin_q_2 * sin_q_3;
         const Scalar q_4_dot = x[9];
-        const Scalar e25 = q_1_dot * e7 - q_4_dot;
-        const Scalar e26 = cos_q_5 * e24 + sin_q_5 * e25;
-        const Scalar e27 = q_1_dot * e10;
-        const Scalar e28 = p_.d_3 * e21;
-        const Scalar e29 = p_.a_2 * q_2_dot + p_.d_3 * e17;
-        const Scalar e30 = sin_q_3 * e29;
-        const Scalar e31 = p_.d_4 * e20 + (cos_q_3 * e28 - e30);
-        const Scalar e32 = cos_q_4 * e27 - sin_q_4 * e31;
-        const Scalar e33 = p_.c_z * (p_.m_6 * p_.c_z);
+        const Scalar e8 = q_1_dot * e7 - q_4_dot;
+        const Scalar e9 = cos_q_5 * e5 + sin_q_5 * e8;
+        const Scalar e10 = cos_q_5 * e8 - sin_q_5 * e5;
+        const Scalar q_5_dot = x[10];
+        const Scalar e11 = cos_q_4 * e1 - sin_q_4 * e4;
+        const Scalar e12 = q_5_dot + e11;
         const Scalar q_6 = x[5];
         Scalar sin_q_6, cos_q_6;
         detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
+        const Scalar e13 = cos_q_6 * e9 + sin_q_6 * e12;
         const Scalar q_6_dot = x[11];
-        const Scalar e34 = cos_q_5 * e25 - sin_q_5 * e24;
-        const Scalar e35 = q_6_dot - e34;
-        const Scalar e36 = cos_q_6 * e35;
-        const Scalar q_5_dot = x[10];
-        const Scalar e37 = q_5_dot + (cos_q_4 * e20 - sin_q_4 * e23);
-        const Scalar e38 = cos_q_4 * e31 + sin_q_4 * e27;
-        const Scalar e39 = cos_q_3 * e29;
-        const Scalar e40 = p_.a_3 * e20 + (e39 + sin_q_3 * e28);
-        const Scalar e41 = cos_q_5 * e38 - sin_q_5 * e40;
-        const Scalar e42 = sin_q_6 * e35;
-        const Scalar e43 = cos_q_5 * e40 + sin_q_5 * e38;
-        const Scalar e44 = cos_q_6 * e37;
-        const Scalar e45 = p_.c_x * (p_.m_6 * p_.c_x);
-        const Scalar e46 = (Scalar(1) / Scalar(2)) * (p_.J_5 + e45);
-        const Scalar e47 = sin_q_6 * e26;
-        const Scalar e48 = c_.k22 * e43;
-        const Scalar e49 = e9 * q_1_dot_squared;
-        const Scalar e50 = (Scalar(1) / Scalar(2)) * e45;
-        const Scalar e51 = (Scalar(1) / Scalar(2)) * p_.J_5;
-        const Scalar e52 = p_.m_4 * e1;
-        const Scalar e53 = (Scalar(3) / Scalar(100)) * e52;
-        const Scalar e54 = (Scalar(1) / Scalar(2)) * p_.J_1 + (Scalar(1) / Scalar(200)) * e2 + (Scalar(1) / Scalar(200)) * e4
-            + (Scalar(1) / Scalar(8)) * p_.m_2 * e5;
-        const Scalar e55 = e54 + e10 * e10 * e11 + c_.k76 * e7 * e9 + e12 * e8 * e8 + e14 * e6 * e6;
-        const Scalar e56 = q_3_dot * e15 + q_2_dot * (e16 + (Scalar(19) / Scalar(180)) * e4) + c_.k9 * e17;
-        const Scalar e57 = sin_q_3 * (c_.k83 * e18 * e8 - sin_q_3 * e12 * e19 - p_.d_3 * e13 * e22);
-        const Scalar e58 = c_.k21 * e32 - e26 * ((Scalar(1) / Scalar(2)) * (p_.J_5 + e33)) - c_.k28 * e36;
-        const Scalar e59 = c_.k21 * e41 + e37 * (p_.J_5 + (Scalar(1) / Scalar(2)) * e33) + c_.k28 * e42;
-        const Scalar e60 = p_.a_2 * e13 * e7 + (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_4 * p_.m_3 * e9;
-        const Scalar e61 = p_.m_3 * ((Scalar(1) / Scalar(2)) * (e3 + e5)) + (Scalar(181) / Scalar(1800)) * e4;
-        return q_1_dot_squared * e55 + q_2_dot * e56 - e57 - e26 * e58 + e37 * e59 + (Scalar(1) / Scalar(2)) * p_.m_6
-            * (e32 * e32 + e43 * e43 + e41 * e41) + e44 * (e46 * e44 - c_.k27 * e47 + e48) - c_.k22 * (e32 * e36 - e41 * e42)
-            - c_.k88 * (e20 * e31 - e10 * e49) - q_6_dot * (e34 * e45 - q_6_dot * e50) + cos_q_3
-            * (cos_q_3 * e14 * e19 - c_.k15 * e22) + e11 * (e40 * e40 + e31 * e31) + e51 * (e24 * e24 + e35 * e35) + e20
-            * (c_.k79 * e39 + c_.k77 * e30) + e18 * e60 + e47 * (e46 * e47 - e48) + q_3_dot * q_3_dot * e16 + e20 * e20
-            * ((Scalar(1) / Scalar(24)) * e2 + e53) + e29 * e29 * ((Scalar(1) / Scalar(2)) * p_.m_3) + e25 * e25
-            * (e51 + (Scalar(1) / Scalar(200)) * e52) + e34 * e34 * e50 + e61 * e19 + e9 * e53 * e49;
+        const Scalar e14 = q_6_dot - e10;
+        const Scalar e15 = p_.d_4 * p_.m_3;
+        const Scalar e16 = p_.d_4 * e15;
+        const Scalar q_1_dot_squared = q_1_dot * q_1_dot;
+        const Scalar e17 = cos_q_2 * q_1_dot_squared;
+        const Scalar e18 = e7 * q_1_dot_squared;
+        const Scalar e19 = cos_q_6 * e12 - sin_q_6 * e9;
+        const Scalar e20 = p_.d_3 * q_1_dot;
+        const Scalar e21 = p_.a_2 * q_2_dot + sin_q_2 * e20;
+        const Scalar e22 = p_.a_3 * e1 + (cos_q_3 * e21 + e20 * e2);
+        const Scalar e23 = e20 * e6 - sin_q_3 * e21;
+        const Scalar e24 = p_.d_4 * e1;
+        const Scalar e25 = e23 + e24;
+        const Scalar e26 = q_1_dot * (p_.a_2 * cos_q_2 + p_.a_3 * e7 - p_.d_4 * e3);
+        const Scalar e27 = cos_q_4 * e25 + sin_q_4 * e26;
+        const Scalar e28 = p_.c_x * e19 + (cos_q_5 * e22 + sin_q_5 * e27);
+        const Scalar e29 = cos_q_4 * e26 - sin_q_4 * e25;
+        const Scalar e30 = cos_q_5 * e27 - sin_q_5 * e22;
+        const Scalar e31 = p_.c_z * e13 + p_.c_x * e14 - (cos_q_6 * e29 - sin_q_6 * e30);
+        const Scalar e32 = p_.c_z * e19 + (cos_q_6 * e30 + sin_q_6 * e29);
+        const Scalar e33 = p_.a_2 * p_.a_2;
+        const Scalar e34 = p_.m_2 * e33;
+        const Scalar e35 = p_.a_3 * p_.m_3;
+        const Scalar e36 = p_.d_4 * e5 + Scalar(5) * e29;
+        const Scalar e37 = p_.d_4 * e11 - Scalar(5) * e27;
+        const Scalar e38 = e24 - Scalar(6) * e23;
+        const Scalar e39 = (Scalar(1) / Scalar(2)) * p_.J_5 * (e9 * e9 + e10 * e10 + e12 * e12 + e13 * e13 + e14 * e14);
+        const Scalar e40 = e3 * ((Scalar(1) / Scalar(18)) * e16) * q_1_dot_squared + (Scalar(1) / Scalar(6)) * p_.a_2 * e15
+            * e17 + c_.k67 * e18;
+        const Scalar e41 = c_.k7 * q_1_dot * sin_q_2 + q_2_dot * ((Scalar(19) / Scalar(180)) * e34);
+        const Scalar e42 = (Scalar(1) / Scalar(200)) * e16 + (Scalar(1) / Scalar(2)) * p_.a_3 * e35;
+        const Scalar e43 = (Scalar(1) / Scalar(8)) * p_.d_3 * p_.d_3 * p_.m_2 + (Scalar(1) / Scalar(2)) * p_.J_1
+            + (Scalar(1) / Scalar(200)) * e34;
+        const Scalar e44 = (Scalar(1) / Scalar(2)) * p_.m_3 * e33 + (Scalar(181) / Scalar(1800)) * e34;
+        return e39 + e3 * e40 + (Scalar(1) / Scalar(2)) * p_.m_6 * (e28 * e28 + e31 * e31 + e32 * e32) + c_.k21
+            * (e5 * e5 + e11 * e11) + q_2_dot * e41 + e7 * (p_.a_2 * e35 * e17 + e42 * e18) + (Scalar(1) / Scalar(50)) * p_.m_4
+            * (e36 * e36 + e37 * e37) + e1 * e1 * ((Scalar(1) / Scalar(24)) * e16) + e8 * e8
+            * ((Scalar(1) / Scalar(200)) * p_.d_4 * p_.d_4 * p_.m_4) + e22 * e22
+            * ((Scalar(1) / Scalar(2)) * (p_.m_3 + p_.m_4)) + e38 * e38 * ((Scalar(1) / Scalar(72)) * p_.m_3) + p_.J_5 * e19
+            * e19 + e43 * q_1_dot_squared + cos_q_2 * e44 * e17;
     }
 
     /// Potential energy V in joules.
-    /// Operations: 32 + or -, 58 *, 10 sin or cos
+    /// Operations: 32 + or -, 57 *, 10 sin or cos
     ///     V = -a_2*m_2*g*sin(q_2)/3 + k_p*(1 - q_1)^2/2 + k_p*k_w*(1 - q_4)^2/2 + k_p*k_w*(1 + q_6)^2/2 + k_p*(2 + 5*q_2)^2/50 +
     ///     k_p*(3 - 10*q_3)^2/200 + k_p*k_w*(7 - 10*q_5)^2/200 - m_4*g*(cos(q_2)*(5*a_3*sin(q_3) + 4*d_4*cos(q_3)) +
     ///     sin(q_2)*(5*a_2 + 5*a_3*cos(q_3) - 4*d_4*sin(q_3)))/5 - m_3*g*(cos(q_2)*(6*a_3*sin(q_3) - d_4*cos(q_3)) +
@@ -3935,25 +3756,26 @@ public:
         const Scalar e7 = Scalar(7) - Scalar(10) * q_5;
         Scalar sin_q_3, cos_q_3;
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
+        const Scalar e8 = Scalar(4) * p_.d_4;
+        const Scalar e9 = Scalar(5) * p_.a_3;
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
         Scalar sin_q_6, cos_q_6;
         detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
-        const Scalar e8 = p_.c_x * cos_q_6;
-        const Scalar e9 = p_.d_4 + (p_.c_z * cos_q_5 + sin_q_5 * e8);
+        const Scalar e10 = p_.c_x * cos_q_6;
+        const Scalar e11 = p_.d_4 + (p_.c_z * cos_q_5 + sin_q_5 * e10);
         Scalar sin_q_4, cos_q_4;
         detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
-        const Scalar e10 = p_.a_3 + cos_q_4 * (cos_q_5 * e8 - p_.c_z * sin_q_5) - p_.c_x * sin_q_4 * sin_q_6;
-        const Scalar e11 = cos_q_2 * (c_.k59 * cos_q_3 + c_.k61 * sin_q_3) + sin_q_2
-            * (c_.k62 + c_.k61 * cos_q_3 - c_.k59 * sin_q_3);
-        const Scalar e12 = cos_q_2 * (c_.k65 * sin_q_3 - p_.d_4 * cos_q_3) + sin_q_2
-            * (c_.k66 + c_.k65 * cos_q_3 + p_.d_4 * sin_q_3);
-        const Scalar e13 = cos_q_2 * (cos_q_3 * e9 + sin_q_3 * e10) + sin_q_2 * (p_.a_2 + cos_q_3 * e10 - sin_q_3 * e9);
-        return (Scalar(1) / Scalar(2)) * e1 * (e2 * e2 + e3 * e3) - sin_q_2
-            * ((Scalar(1) / Scalar(3)) * p_.a_2 * p_.m_2 * p_.g) + e4 * e4 * ((Scalar(1) / Scalar(2)) * p_.k_p) + e5 * e5
-            * ((Scalar(1) / Scalar(50)) * p_.k_p) + e6 * e6 * ((Scalar(1) / Scalar(200)) * p_.k_p) + e7 * e7
-            * ((Scalar(1) / Scalar(200)) * e1) - e11 * ((Scalar(1) / Scalar(5)) * p_.m_4 * p_.g) - e12
-            * ((Scalar(1) / Scalar(6)) * p_.m_3 * p_.g) - e13 * (p_.m_6 * p_.g);
+        const Scalar e12 = p_.a_3 + cos_q_4 * (cos_q_5 * e10 - p_.c_z * sin_q_5) - p_.c_x * sin_q_4 * sin_q_6;
+        const Scalar e13 = cos_q_2 * (cos_q_3 * e8 + sin_q_3 * e9) + sin_q_2
+            * (Scalar(5) * p_.a_2 + cos_q_3 * e9 - sin_q_3 * e8);
+        const Scalar e14 = cos_q_2 * (c_.k57 * sin_q_3 - p_.d_4 * cos_q_3) + sin_q_2
+            * (c_.k56 + c_.k57 * cos_q_3 + p_.d_4 * sin_q_3);
+        const Scalar e15 = cos_q_2 * (cos_q_3 * e11 + sin_q_3 * e12) + sin_q_2 * (p_.a_2 + cos_q_3 * e12 - sin_q_3 * e11);
+        return (Scalar(1) / Scalar(2)) * e1 * (e2 * e2 + e3 * e3) - c_.k38 * sin_q_2 + e4 * e4
+            * ((Scalar(1) / Scalar(2)) * p_.k_p) + e5 * e5 * ((Scalar(1) / Scalar(50)) * p_.k_p) + e6 * e6
+            * ((Scalar(1) / Scalar(200)) * p_.k_p) + e7 * e7 * ((Scalar(1) / Scalar(200)) * e1) - e13
+            * ((Scalar(1) / Scalar(5)) * p_.m_4 * p_.g) - e14 * ((Scalar(1) / Scalar(6)) * p_.m_3 * p_.g) - c_.k35 * e15;
     }
 
     /// Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.
@@ -3986,7 +3808,7 @@ public:
         const Scalar q_1_dot = x[6];
         const Scalar q_2_dot = x[7];
         const Scalar q_3_dot = x[8];
-        return c_.k56 * (q_4_dot * q_4_dot + q_5_dot * q_5_dot + q_6_dot * q_6_dot) + p_.k_d
+        return c_.k52 * (q_4_dot * q_4_dot + q_5_dot * q_5_dot + q_6_dot * q_6_dot) + p_.k_d
             * (q_1_dot * q_1_dot + q_2_dot * q_2_dot + q_3_dot * q_3_dot);
     }
 
@@ -4019,103 +3841,94 @@ private:
     /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< a_2^2*m_2/100 + d_3^2*m_2/4 + J_1
-        Scalar k1;  ///< d_4^2*m_4/25
-        Scalar k2;  ///< 2*J_5
-        Scalar k3;  ///< 181*a_2^2*m_2/900
-        Scalar k4;  ///< d_4^2*m_4/50
-        Scalar k5;  ///< m_3/36
+        Scalar k1;  ///< 181*a_2^2*m_2/900
+        Scalar k2;  ///< d_3^2*m_3 + d_4^2*m_3/100 + d_4^2*m_4/100
+        Scalar k3;  ///< d_3^2*m_3 + d_3^2*m_4 + d_4^2*m_3/12 + d_4^2*m_4/50
+        Scalar k4;  ///< m_3/36
+        Scalar k5;  ///< 2*J_5
         Scalar k6;  ///< m_4/25
-        Scalar k7;  ///< d_3^2*m_3 + d_4^2*m_3/100 + d_4^2*m_4/100
-        Scalar k8;  ///< d_3^2*m_3 + d_3^2*m_4 + d_4^2*m_3/12
-        Scalar k9;  ///< a_2*d_3*m_2/6
-        Scalar k10;  ///< d_3*(m_3 + m_4)
-        Scalar k11;  ///< d_3*m_3/6
-        Scalar k12;  ///< 19*a_2^2*m_2/90 + d_4^2*m_3/12 + d_4^2*m_4/50 + J_5
-        Scalar k13;  ///< m_3 + m_4
-        Scalar k14;  ///< 4*d_4*m_4/25
-        Scalar k15;  ///< d_3*d_4*m_3/6
-        Scalar k16;  ///< a_3*d_3*(m_3 + m_4)
-        Scalar k17;  ///< d_4^2*m_3/12 + d_4^2*m_4/50 + J_5
-        Scalar k18;  ///< a_3*(m_3 + m_4)
-        Scalar k19;  ///< d_4*m_3/36
-        Scalar k20;  ///< a_3^2*m_3 + a_3^2*m_4 + d_4^2*m_3/9 + 33*d_4^2*m_4/50 + J_5
-        Scalar k21;  ///< m_6*c_z
-        Scalar k22;  ///< m_6*c_x
-        Scalar k23;  ///< d_4^2*m_4/100
-        Scalar k24;  ///< d_4^2*m_4/100 + 2*J_5
-        Scalar k25;  ///< m_6*c_x^2 + m_6*c_z^2 + J_5
-        Scalar k26;  ///< m_6*c_z^2 + 2*J_5
-        Scalar k27;  ///< m_6*c_x^2 + J_5
-        Scalar k28;  ///< m_6*c_x*c_z
-        Scalar k29;  ///< 9*a_2^2*m_2/50
-        Scalar k30;  ///< a_2*m_2/18
-        Scalar k31;  ///< d_4^2*(m_3 + m_4)/100
-        Scalar k32;  ///< d_4^2*m_3/300
-        Scalar k33;  ///< d_3*m_6*g
-        Scalar k34;  ///< a_3*m_6*g
-        Scalar k35;  ///< m_6*c_x*g
-        Scalar k36;  ///< m_6*c_z*g
-        Scalar k37;  ///< d_3*m_4*g
-        Scalar k38;  ///< d_4*m_6*g
-        Scalar k39;  ///< a_2*m_6*g
-        Scalar k40;  ///< d_3*m_2/12
-        Scalar k41;  ///< d_3*m_4/5
-        Scalar k42;  ///< 2*k_p/5
-        Scalar k43;  ///< 11*d_4^2*m_3/150
-        Scalar k44;  ///< a_2*g*(m_2/3 + m_3)
-        Scalar k45;  ///< a_3*m_3*g
-        Scalar k46;  ///< d_4*m_3*g/6
-        Scalar k47;  ///< a_2*m_4*g
-        Scalar k48;  ///< m_3/6
-        Scalar k49;  ///< m_4/5
-        Scalar k50;  ///< a_3*m_4*g
-        Scalar k51;  ///< 4*d_4*m_4*g/5
-        Scalar k52;  ///< 3*k_p/10
-        Scalar k53;  ///< a_3*m_3/6
-        Scalar k54;  ///< a_3*m_4/5
-        Scalar k55;  ///< k_p*k_w
-        Scalar k56;  ///< k_d*k_w
-        Scalar k57;  ///< 7*k_p*k_w/10
-        Scalar k58;  ///< 6*d_3
-        Scalar k59;  ///< 4*d_4
-        Scalar k60;  ///< 5*d_3
-        Scalar k61;  ///< 5*a_3
-        Scalar k62;  ///< 5*a_2
-        Scalar k63;  ///< 3*d_3
-        Scalar k64;  ///< 2*a_2
-        Scalar k65;  ///< 6*a_3
-        Scalar k66;  ///< 6*a_2
-        Scalar k67;  ///< m_2*(a_2^2/100 + d_3^2/4)
-        Scalar k68;  ///< d_3*m_2/2
-        Scalar k69;  ///< m_2*(19*a_2^2/90 + d_3^2/4)
-        Scalar k70;  ///< a_2*m_2/3
-        Scalar k71;  ///< 19*a_2^2*m_2/90
-        Scalar k72;  ///< d_3^2*m_2/4
-        Scalar k73;  ///< m_2*(181*a_2^2/900 - d_3^2/4)
-        Scalar k74;  ///< a_2*d_3*m_2/3
-        Scalar k75;  ///< d_4^2*m_3/9
-        Scalar k76;  ///< a_3*d_4*m_3/6
-        Scalar k77;  ///< d_4*m_3/6
-        Scalar k78;  ///< m_3*(a_3^2 + d_4^2/100)
-        Scalar k79;  ///< a_3*m_3
-        Scalar k80;  ///< m_3*(a_3^2 + d_4^2/9)
-        Scalar k81;  ///< 91*d_4^2*m_3/900
-        Scalar k82;  ///< a_3^2*m_3
-        Scalar k83;  ///< m_3*(a_3^2 - 91*d_4^2/900)
-        Scalar k84;  ///< a_3*d_4*m_3/3
-        Scalar k85;  ///< d_4*m_3/3
-        Scalar k86;  ///< 2*a_3*m_3
-        Scalar k87;  ///< 3*d_4^2*m_4/50
-        Scalar k88;  ///< d_4*m_4/5
-        Scalar k89;  ///< d_4^2*m_4/20
-        Scalar k90;  ///< 2*d_4*m_4/5
-        Scalar k91;  ///< m_6*c_z^2 + J_5
-        Scalar k92;  ///< m_6*c_x^2 + m_6*c_z^2 + 2*J_5
-        Scalar k93;  ///< m_6*(c_x^2 - c_z^2)
-        Scalar k94;  ///< 2*m_6*c_x*c_z
-        Scalar k95;  ///< 2*m_6*c_z
-        Scalar k96;  ///< 2*m_6*c_x
-        Scalar k97;  ///< 1/(m_6*c_x^2 + J_5)
+        Scalar k7;  ///< a_2*d_3*m_2/6
+        Scalar k8;  ///< d_3*(m_3 + m_4)
+        Scalar k9;  ///< d_3*m_3/6
+        Scalar k10;  ///< 19*a_2^2*m_2/90 + d_4^2*m_3/12 + d_4^2*m_4/50 + J_5
+        Scalar k11;  ///< m_3 + m_4
+        Scalar k12;  ///< 4*d_4*m_4/25
+        Scalar k13;  ///< d_3*d_4*m_3/6
+        Scalar k14;  ///< a_3*d_3*(m_3 + m_4)
+        Scalar k15;  ///< d_4^2*m_3/12 + d_4^2*m_4/50 + J_5
+        Scalar k16;  ///< a_3*(m_3 + m_4)
+        Scalar k17;  ///< d_4*m_3/36
+        Scalar k18;  ///< a_3^2*m_3 + a_3^2*m_4 + d_4^2*m_3/9 + 33*d_4^2*m_4/50 + J_5
+        Scalar k19;  ///< m_6*c_x
+        Scalar k20;  ///< m_6*c_z
+        Scalar k21;  ///< d_4^2*m_4/100
+        Scalar k22;  ///< d_4^2*m_4/100 + 2*J_5
+        Scalar k23;  ///< m_6*c_x^2 + m_6*c_z^2 + J_5
+        Scalar k24;  ///< m_6*c_z^2 + 2*J_5
+        Scalar k25;  ///< m_6*c_x^2 + J_5
+        Scalar k26;  ///< m_6*c_x*c_z
+        Scalar k27;  ///< 9*a_2^2*m_2/50
+        Scalar k28;  ///< a_2*m_2/18
+        Scalar k29;  ///< d_4^2*(m_3 + m_4)/100
+        Scalar k30;  ///< d_4^2*m_3/300
+        Scalar k31;  ///< d_3*m_2/12
+        Scalar k32;  ///< m_4*g
+        Scalar k33;  ///< d_3*m_4*g
+        Scalar k34;  ///< d_3*m_4/5
+        Scalar k35;  ///< m_6*g
+        Scalar k36;  ///< 2*k_p/5
+        Scalar k37;  ///< 11*d_4^2*m_3/150
+        Scalar k38;  ///< a_2*m_2*g/3
+        Scalar k39;  ///< a_2*m_3*g
+        Scalar k40;  ///< m_6*c_x*g
+        Scalar k41;  ///< m_3/6
+        Scalar k42;  ///< m_4/5
+        Scalar k43;  ///< a_3*m_3*g
+        Scalar k44;  ///< d_4*g*(m_3/6 + m_4/5)
+        Scalar k45;  ///< m_6*c_z*g
+        Scalar k46;  ///< 3*k_p/10
+        Scalar k47;  ///< a_3*g*(m_3 + m_4)
+        Scalar k48;  ///< d_4*g*(m_3/6 - 4*m_4/5)
+        Scalar k49;  ///< a_3*m_3/6
+        Scalar k50;  ///< a_3*m_4/5
+        Scalar k51;  ///< k_p*k_w
+        Scalar k52;  ///< k_d*k_w
+        Scalar k53;  ///< 7*k_p*k_w/10
+        Scalar k54;  ///< 3*d_3
+        Scalar k55;  ///< 2*a_2
+        Scalar k56;  ///< 6*a_2
+        Scalar k57;  ///< 6*a_3
+        Scalar k58;  ///< m_2*(a_2^2/100 + d_3^2/4)
+        Scalar k59;  ///< d_3*m_2/2
+        Scalar k60;  ///< m_2*(19*a_2^2/90 + d_3^2/4)
+        Scalar k61;  ///< a_2*m_2/3
+        Scalar k62;  ///< 19*a_2^2*m_2/90
+        Scalar k63;  ///< d_3^2*m_2/4
+        Scalar k64;  ///< m_2*(181*a_2^2/900 - d_3^2/4)
+        Scalar k65;  ///< a_2*d_3*m_2/3
+        Scalar k66;  ///< d_4^2*m_3/9
+        Scalar k67;  ///< a_3*d_4*m_3/6
+        Scalar k68;  ///< d_4*m_3/6
+        Scalar k69;  ///< m_3*(a_3^2 + d_4^2/100)
+        Scalar k70;  ///< a_3*m_3
+        Scalar k71;  ///< m_3*(a_3^2 + d_4^2/9)
+        Scalar k72;  ///< 91*d_4^2*m_3/900
+        Scalar k73;  ///< a_3^2*m_3
+        Scalar k74;  ///< m_3*(a_3^2 - 91*d_4^2/900)
+        Scalar k75;  ///< a_3*d_4*m_3/3
+        Scalar k76;  ///< d_4*m_3/3
+        Scalar k77;  ///< 2*a_3*m_3
+        Scalar k78;  ///< 3*d_4^2*m_4/50
+        Scalar k79;  ///< d_4*m_4/5
+        Scalar k80;  ///< d_4^2*m_4/20
+        Scalar k81;  ///< 2*d_4*m_4/5
+        Scalar k82;  ///< m_6*c_z^2 + J_5
+        Scalar k83;  ///< m_6*c_x^2 + m_6*c_z^2 + 2*J_5
+        Scalar k84;  ///< m_6*(c_x^2 - c_z^2)
+        Scalar k85;  ///< 2*m_6*c_x*c_z
+        Scalar k86;  ///< 2*m_6*c_z
+        Scalar k87;  ///< 2*m_6*c_x
+        Scalar k88;  ///< 1/(m_6*c_x^2 + J_5)
     };
     Cached c_{};
 };

@@ -201,7 +201,8 @@ int cost(const FunctionCode& f, std::size_t order) {
         std::vector<bool> same = f.varying();
         same.flip();
         const int columns = static_cast<int>(f.loop->columns.size());
-        result += f.program.count(f.roots(), same).total() * (columns / side_by_side - 1) + putting * n * columns;
+        const int passes = (columns + side_by_side - 1) / side_by_side;
+        result += f.program.count(f.roots(), same).total() * (passes - 1) + putting * n * columns;
     }
     if (f.by_loops) result += n * n * n / 3 + 2 * n * n + static_cast<int>(f.right.columns) * 2 * n * n;
     return result;

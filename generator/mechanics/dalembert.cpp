@@ -30,14 +30,14 @@ Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector&
     GiNaC::exmap still, unaccelerated;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
         const ex& qd = symbols.get(SymbolKind::velocity, j);
-        result.jacobian.push_back(as_letters(partial(velocity, qd)));
+        result.jacobian.push_back(as_letters(partial_of_kept(velocity, qd)));
         still[qd] = 0;
         unaccelerated[symbols.get(SymbolKind::acceleration, j)] = 0;
     }
-    SpaceVector rate = time_derivative(velocity, symbols);
+    SpaceVector rate;
     for (std::size_t i = 0; i < 3; ++i) {
         result.drift[i] = velocity[i].subs(still, GiNaC::subs_options::no_pattern);
-        rate[i] = rate[i].subs(unaccelerated, GiNaC::subs_options::no_pattern);
+        rate[i] = symbols.time_derivative_of_kept(velocity[i]).subs(unaccelerated, GiNaC::subs_options::no_pattern);
     }
     const SpaceVector remainder = result.image(as_letters(rate)) + cross(as_letters(omega), result.image(as_letters(velocity)));
     if (!is_zero(remainder)) result.remainder.emplace_back(as_letters(remainder), 1);

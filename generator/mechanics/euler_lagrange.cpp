@@ -2,6 +2,7 @@
 #include "mechanics/euler_lagrange.hpp"
 
 #include "elements/forces.hpp"
+#include "mechanics/body_letters.hpp"
 
 namespace dalembert {
 
@@ -10,7 +11,10 @@ using GiNaC::ex;
 ex translational_energy(const BodyMotion& body) { return body.mass * dot(body.used_velocity(), body.used_velocity()) / 2; }
 
 ex rotational_energy(const BodyMotion& body) {
-    if (body.has_tensor()) return dot(body.frame->angular_velocity, body.tensor * body.frame->angular_velocity) / 2;
+    if (body.has_tensor()) {
+        const SpaceVector omega = as_letters(body.frame->angular_velocity, *body.frame);
+        return dot(omega, body.tensor * omega) / 2;
+    }
     return body.inertia * GiNaC::pow(body.angular_velocity, 2) / 2;
 }
 

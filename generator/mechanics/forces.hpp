@@ -21,6 +21,7 @@ struct Potential {
     GiNaC::ex energy;             ///< at rest: what is stored
     Generalised momentum = {};    ///< of q and t; empty where the velocities do not enter
     GiNaC::ex power = 0;          ///< put in by a momentum that changes with time; at right angles to the velocity it does no work
+    std::optional<std::size_t> body = {};  ///< of gravity: on which body, by place
 
     /// What depends on the velocities.
     GiNaC::ex moving_part(const Symbols& symbols) const;

@@ -6,6 +6,7 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "elements/gravity.hpp"
+#include "mechanics/body_letters.hpp"
 #include "mechanics/forces.hpp"
 #include "symbolic/affine_rate.hpp"
 #include "symbolic/integrate.hpp"
@@ -25,9 +26,10 @@ Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, co
     SpaceVector from_reference = body.position;
     for (std::size_t i = 0; i < 3; ++i) from_reference[i] -= reference[i];
     result.energy = -body.mass * dot(acceleration, from_reference);
-    const SpaceVector pull = body.in_used_axes(acceleration);
+    SpaceVector pull = body.in_used_axes(acceleration);
+    if (body.frame) pull = as_letters(pull, *body.frame);
     for (std::size_t j = 0; j < symbols.degrees(); ++j)
-        result.force.push_back(body.mass * (body.frame ? dot(pull, partial(body.used_velocity(), symbols.get(SymbolKind::velocity, j)))
+        result.force.push_back(body.mass * (body.frame ? dot(pull, partial_of_kept(body.used_velocity(), symbols.get(SymbolKind::velocity, j)))
                                                        : dot(acceleration, body.along(j, symbols))));
     return result;
 }
@@ -149,9 +151,11 @@ std::vector<Potential> potentials(const Scene& scene, const Translator& translat
     if (scene.gravity != nullptr) {
         const SpaceVector acceleration = translate(scene.gravity->acceleration, {});
         const SpaceVector reference = scene.gravity->reference ? translate(*scene.gravity->reference, {}) : SpaceVector{0, 0, 0};
-        for (const BodyMotion& body : bodies)
-            if (body.has_position && !body.mass.is_zero())
-                result.push_back(gravity_on(body, acceleration, reference, symbols, scene.gravity->span));
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (!bodies[i].has_position || bodies[i].mass.is_zero()) continue;
+            result.push_back(gravity_on(bodies[i], acceleration, reference, symbols, scene.gravity->span));
+            result.back().body = i;
+        }
     }
     for (const auto& member : scene.springs) result.push_back(spring_potential(member, translate, symbols));
     for (const auto& member : scene.potentials) result.push_back(plain_potential(member, translate, symbols));

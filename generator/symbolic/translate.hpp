@@ -23,6 +23,10 @@ inline SpaceVector partial(const SpaceVector& v, const GiNaC::ex& symbol) {
     return {partial(v[0], symbol), partial(v[1], symbol), partial(v[2], symbol)};
 }
 
+inline SpaceVector partial_of_kept(const SpaceVector& v, const GiNaC::ex& symbol) {
+    return {partial_of_kept(v[0], symbol), partial_of_kept(v[1], symbol), partial_of_kept(v[2], symbol)};
+}
+
 /// What was found for one; an end may lie at infinity, 1 or -1, and is zero then.
 struct DefiniteIntegral {
     GiNaC::ex function;
