@@ -63,7 +63,7 @@ ex Raiser::raise(const Node& node) {
         case Node::Kind::constant: return GiNaC::numeric(node.value);
         case Node::Kind::symbol: return atoms_[node.index].op == Op::pi ? ex(GiNaC::Pi) : atoms_[node.index].variable->symbol;
         case Node::Kind::cached: return cached_(node.index);
-        case Node::Kind::sum: return GiNaC::add(parts);
+        case Node::Kind::sum: return sums_ == Sums::kept_whole ? ex(whole(GiNaC::add(parts))) : ex(GiNaC::add(parts));
         case Node::Kind::product: return GiNaC::mul(parts);
         case Node::Kind::reciprocal: return GiNaC::pow(parts[0], -1);
         case Node::Kind::function: break;

@@ -16,8 +16,9 @@ using CachedMeaning = std::function<GiNaC::ex(std::uint32_t)>;
 
 class Raiser {
 public:
-    Raiser(const Program& program, const Atoms& atoms, CachedMeaning cached)
-        : program_(program), atoms_(atoms), cached_(std::move(cached)) {}
+    enum class Sums { open, kept_whole };
+    Raiser(const Program& program, const Atoms& atoms, CachedMeaning cached, Sums sums = Sums::open)
+        : program_(program), atoms_(atoms), cached_(std::move(cached)), sums_(sums) {}
     GiNaC::ex operator()(NodeId id);
     /// Takes a node for a letter instead of raising it.
     void define(NodeId id, const GiNaC::ex& letter) { known_[id] = letter; }
@@ -29,6 +30,7 @@ private:
     const Program& program_;
     const Atoms& atoms_;
     CachedMeaning cached_;
+    Sums sums_;
     std::map<NodeId, GiNaC::ex> known_;
 };
 

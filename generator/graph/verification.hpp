@@ -8,12 +8,18 @@
 #include "graph/verify_chain.hpp"
 #include "graph/verify_links.hpp"
 #include "graph/verify_solve.hpp"
+#include "prove/sum_by_sum.hpp"
 
 namespace dalembert {
 
 class Verification {
 public:
-    explicit Verification(const Code& code) : code_(code), system_(code.system), prover_(code.system), cached_(cached_meaning(code)) {}
+    explicit Verification(const Code& code)
+        : code_(code),
+          system_(code.system),
+          prover_(code.system),
+          by_sums_(prover_, code.system.symbols),
+          cached_(cached_meaning(code)) {}
 
     std::vector<AuditEntry> run();
 
@@ -29,6 +35,10 @@ private:
 
     AuditEntry& entry(const std::string& name);
     void compare(Function function, const ex& emitted, const ex& derived);
+    /// note [sum by sum]: whether a node raised with its sums kept whole is what was derived.
+    bool is_proven_by_sums(Raiser& kept, NodeId node, const ex& derived) {
+        return SumBySum::has_sums(derived) && by_sums_.proven_equal(kept(node), derived);
+    }
     GiNaC::exmap solutions(const FunctionCode& f, Raiser& raise) const;
     void solved_motion(Function function);
     MovingRaisers moving_raisers(const FunctionCode& f) const;
@@ -74,6 +84,7 @@ private:
     const Code& code_;
     const System& system_;
     Prover prover_;
+    SumBySum by_sums_;
     CachedMeaning cached_;
     std::optional<Comparison> of_links_;
     std::vector<AuditEntry> entries_;

@@ -2,6 +2,7 @@
 #include "graph/verify.hpp"
 
 #include "elements/verdict.hpp"
+#include "form/chain_motion.hpp"
 #include "graph/verification.hpp"
 #include "graph/verify_chain.hpp"
 #include "graph/verify_operations.hpp"
@@ -106,7 +107,7 @@ const Comparison& Verification::equations_of_links() {
     if (of_links_) return *of_links_;
     of_links_ = Comparison{Verdict::proven};
     const auto compare = [&](const ex& meant, const ex& derived) {
-        if (of_links_->verdict == Verdict::wrong || prover_.proven_equal(meant, derived)) return;
+        if (of_links_->verdict == Verdict::wrong || by_sums_.proven_equal(meant, derived) || prover_.proven_equal(meant, derived)) return;
         Comparison result = prover_.equal(meant, derived);
         if (is_worse(result.verdict, of_links_->verdict)) of_links_ = std::move(result);
     };

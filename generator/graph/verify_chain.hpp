@@ -7,14 +7,6 @@
 
 namespace dalembert {
 
-/// M and Q - bias that the equations of the links stand for, written out: with J of each link from recursion, M = sum of J'*inertia*J and
-/// Q - bias = rest - sum of J'*(inertia*(acceleration without qdd) + force).
-struct MeantMotion {
-    std::vector<std::vector<GiNaC::ex>> mass;
-    std::vector<GiNaC::ex> force;
-};
-MeantMotion meant_motion(const Chain& chain);
-
 /// Whether the steps of the solve, on links with such zeros, do what note [articulated] says; each step on letters for what is not known.
 Comparison chain_solve_is_right(const FunctionCode& f, const Atoms& atoms);
 

@@ -8,6 +8,7 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "elements/gravity.hpp"
+#include "symbolic/squares.hpp"
 
 namespace dalembert {
 
@@ -136,6 +137,7 @@ private:
         const BodyMotion& body = bodies_[i];
         const auto base = base_place(i);
         ChainLink link;
+        link.body = i;
         if (base) link.base = places_[*base];
         const Base& on = base ? bases_[*link.base] : ground_;
         if (!symbols_.is_constant(body.mass) || !symbols_.is_constant(body.inertia)) return false;
@@ -223,15 +225,9 @@ private:
         const auto entry = [&](std::size_t column, std::size_t of_rate) {
             ex sum = 0;
             for (std::size_t r = 0; r < 3; ++r) sum += a[r][column] * symbols_.time_derivative(a[r][of_rate]);
-            return folded(sum);
+            return in_cosines(sum);  // of three turns about axes of their own little is left
         };
         return {entry(2, 1), entry(0, 2), entry(1, 0)};
-    }
-
-    /// Multiplied out, with sin^2 = 1 - cos^2: of three turns about axes of their own little is left.
-    static ex folded(const ex& e) {
-        GiNaC::ex sum = e.expand();
-        return sum.subs(GiNaC::pow(GiNaC::sin(GiNaC::wild(0)), 2) == 1 - GiNaC::pow(GiNaC::cos(GiNaC::wild(0)), 2)).expand();
     }
 
     void finish(ChainLink& link, const Base& on, const Base& own, const Twist& velocity, bool is_on_ground) {

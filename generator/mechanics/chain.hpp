@@ -20,7 +20,8 @@ using NamedValue = std::pair<GiNaC::ex, GiNaC::ex>;
 /// of its coordinates and f the moment and force that it needs:
 ///     a = transfer*(a of the base) + directions*qdd + remainder,    f = inertia*a + force
 struct ChainLink {
-    std::optional<std::size_t> base;        ///< none: the ground
+    std::size_t body = 0;                   ///< by place
+    std::optional<std::size_t> base;        ///< of the link that it is placed on; none: the ground
     std::vector<std::size_t> coordinates;   ///< that move it against its base, and nothing else but through it
     /// What it and what is placed on it are made of: its twist, six letters, and cos and sin of how it is turned in the plane. Their values
     /// are made of the letters of its base.

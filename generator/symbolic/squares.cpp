@@ -13,7 +13,22 @@ namespace {
 
 constexpr std::size_t most_terms_of_squares = 20'000;
 
+struct SquaresOfSines : GiNaC::map_function {
+    ex operator()(const ex& e) override {
+        if (!GiNaC::is_a<GiNaC::power>(e) || !e.op(1).info(GiNaC::info_flags::posint) ||
+            !GiNaC::is_the_function<GiNaC::sin_SERIAL>(e.op(0)))
+            return e.nops() == 0 || GiNaC::is_a<GiNaC::function>(e) ? e : e.map(*this);
+        const int exponent = ex_to<numeric>(e.op(1)).to_int();
+        return GiNaC::pow(1 - GiNaC::pow(GiNaC::cos(e.op(0).op(0)), 2), exponent / 2) * GiNaC::pow(e.op(0), exponent % 2);
+    }
+};
+
 }  // namespace
+
+ex in_cosines(const ex& e) {
+    SquaresOfSines replaced;
+    return replaced(e.expand()).expand();
+}
 
 Squares::Letter Squares::letter(const ex& e) {
     const auto [found, is_new] = numbers_.emplace(e, static_cast<Letter>(letters_.size()));

@@ -10,6 +10,9 @@
 
 namespace dalembert {
 
+/// Multiplied out, with sin^2 = 1 - cos^2.
+GiNaC::ex in_cosines(const GiNaC::ex& e);
+
 class Squares {
 public:
     explicit Squares(PositiveByRange positive) : positive_(std::move(positive)) {}

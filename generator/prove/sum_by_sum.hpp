@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proofs of what is made of sums that are kept whole, one sum at a time.
+#pragma once
+
+#include <set>
+
+#include "prove/equivalence.hpp"
+#include "prove/fingerprint.hpp"
+
+namespace dalembert {
+
+/// note [sum by sum]: Velocities along a tree of bodies are sums of products of sums, and so on; written out they have no end. Each sum
+/// that a derivation keeps whole becomes a letter, and stands for what it is in letters of the sums in it. A sum of the other side that
+/// seems to be the same is proven to be, in letters, and is that letter from there on; what is like none is written out in letters.
+/// What is equal whatever the letters are is equal. Where it is not, letters go one after the other, outermost first.
+class SumBySum {
+public:
+    SumBySum(Prover& prover, const Symbols& symbols) : prover_(prover), print_(symbols) {}
+
+    /// True only when proven. `derived` says what is a letter; the letters stay for the next call.
+    bool proven_equal(const GiNaC::ex& other, const GiNaC::ex& derived);
+
+    static bool has_sums(const GiNaC::ex& e);
+
+private:
+    using ex = GiNaC::ex;
+    using Known = GiNaC::exhashmap<ex>;
+    struct Letter {
+        ex symbol;
+        ex meaning;  ///< in letters before it
+    };
+    class Writer;
+
+    ex letter_for(const ex& sum, bool is_derived);
+    /// Letters that only one of the sides has are written out until both have the same.
+    bool are_same(ex a, ex b);
+    bool is_zero_down_to_leaves(ex difference);
+    std::set<std::size_t> letters_in(const ex& e) const;
+
+    Prover& prover_;
+    Fingerprints print_;
+    std::vector<Letter> letters_;
+    GiNaC::exhashmap<std::size_t> places_;                     ///< of symbols of letters
+    std::unordered_map<std::uint64_t, std::size_t> by_print_;  ///< of a sum, or of its negative where that is less
+    Known derived_, other_;                                    ///< in letters
+};
+
+}  // namespace dalembert
