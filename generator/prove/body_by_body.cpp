@@ -20,7 +20,7 @@ namespace {
 
 Twist letters(const char* name) {
     Twist result;
-    for (std::size_t k = 0; k < 6; ++k) result[k] = GiNaC::realsymbol(fmt::format("{}[{}]", name, k));
+    for (std::size_t k = 0; k < 6; ++k) result[k] = GiNaC::realsymbol(fmt::format("any {}[{}]", name, k));
     return result;
 }
 
@@ -135,7 +135,7 @@ private:
     bool keeps_turned(const ChainLink& link) {
         if (link.letters.size() == 6) return true;
         const ChainLink* base = base_of(link);
-        const Twist any = any_twist(base, "any");
+        const Twist any = any_twist(base, "twist");
         const ex &cosine = link.letters[6].second, &sine = link.letters[7].second;
         const ex turned = image_under(link.transfer, any)[2], speed = link.letters[2].second;
         const auto as_turned = [&](const ex& of_cosine, const ex& of_sine, const ex& by) {
@@ -181,7 +181,7 @@ private:
     bool hands_pull_on(const ChainLink& link) {
         const BodyMotion& body = body_of(link);
         if (!body.frame || (link.base && !has_axes(*base_of(link)))) return true;
-        const Twist any = any_twist(base_of(link), "any"), given = letters("given");
+        const Twist any = any_twist(base_of(link), "twist"), given = letters("pull and point");
         const SpaceVector pull = angular(given), point = linear(given), own_pull = transposed(body.frame->axes) * pull;
         const SpaceVector in_base = body.frame->origin + body.frame->axes * point;
         const auto power_of = [](const SpaceVector& force, const Twist& twist, const SpaceVector& at) {

@@ -80,10 +80,11 @@ void NormalForm::relate(Letter letter, int degree, Polynomial value) {
 }
 
 NormalForm::Letter NormalForm::symbol(const ex& symbol) {
+    // By the symbol itself: a letter that a proof makes may be called what something in the model is.
+    if (const auto known = symbols_.find(symbol); known != symbols_.end()) return known->second;
     const std::string name = ex_to<GiNaC::symbol>(symbol).get_name();
-    if (const auto known = symbols_.find(name); known != symbols_.end()) return known->second;
     const Letter letter = new_letter(symbol.info(GiNaC::info_flags::positive) || assumed_positive_.contains(name));
-    symbols_[name] = letter;
+    symbols_[symbol] = letter;
     for (const auto& [scalar, x, y, z] : unit_quaternions_)
         if (scalar.is_equal(symbol)) relate(letter, 2, convert(1 - GiNaC::pow(x, 2) - GiNaC::pow(y, 2) - GiNaC::pow(z, 2)));
     return letter;
@@ -92,8 +93,8 @@ NormalForm::Letter NormalForm::symbol(const ex& symbol) {
 /// The name of the symbol that a monomial is, if it is one.
 std::string NormalForm::symbol_named(const Monomial& monomial) const {
     if (monomial.size() != 1 || monomial[0].exponent != 1) return {};
-    for (const auto& [name, letter] : symbols_)
-        if (letter == monomial[0].letter) return name;
+    for (const auto& [symbol, letter] : symbols_)
+        if (letter == monomial[0].letter) return ex_to<GiNaC::symbol>(symbol).get_name();
     return {};
 }
 

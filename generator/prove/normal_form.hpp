@@ -127,7 +127,7 @@ private:
     bool joins_roots_;
     std::vector<std::array<GiNaC::ex, 4>> unit_quaternions_;
     std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
-    std::map<std::string, Letter> symbols_;
+    std::map<GiNaC::ex, Letter, GiNaC::ex_is_less> symbols_;
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.
     std::map<Monomial, int> angle_denominators_;
     std::map<Monomial, int> exponential_denominators_;

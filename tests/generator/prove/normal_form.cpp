@@ -172,3 +172,10 @@ TEST_CASE("what no denominator touches stays apart, and what its roots and recip
     CHECK(zero(p * (1 / pivot - (x + 1) / (x * (x + 1) - y * z)) + q * fraction));
     CHECK_FALSE(zero(p * (1 / pivot - (x + 1) / (x * (x + 1) + y * z)) + q * fraction));
 }
+
+TEST_CASE("letters with the same name are different letters") {
+    const GiNaC::ex one = GiNaC::realsymbol("force[1]"), other = GiNaC::realsymbol("force[1]");
+    CHECK_FALSE(NormalForm().is_zero(one - other));
+    CHECK_FALSE(NormalForm().is_zero(GiNaC::sin(one) - GiNaC::sin(other)));
+    CHECK(NormalForm().is_zero(GiNaC::pow(one + other, 2) - GiNaC::pow(one, 2) - 2 * one * other - GiNaC::pow(other, 2)));
+}
