@@ -306,8 +306,26 @@ static inline int dalembert_count_event(dalembert_modes* m, size_t event, double
     return m->changes++ < m->most_events && k->stalled <= 100 + m->plant->events;
 }
 
-/* An event happens now. Leaves the next one there, if that happens at once. */
-static inline enum dalembert_status dalembert_pass(dalembert_modes* m, double* t, double* x, size_t* event) {
+/* Whether the run ends with the event. */
+static inline int dalembert_is_last(const dalembert_modes* m, size_t event) {
+    return m->plant->transitions(event, m->mode, dalembert_next, m->candidates) == 0;
+}
+
+/* An event at the same time as one that ends the run, with which the run goes on. A force that falls to zero just when its phase ends is
+ * such a case: what counts is the phase that begins. */
+static inline size_t dalembert_happens_too(dalembert_modes* m, size_t event, double t, const double* x) {
+    const dalembert_plant* const p = m->plant;
+    dalembert_inputs_at(m, t, x, m->u);
+    p->guard_values(m->self, m->mode, x, m->u, t, m->g);
+    p->guard_rates(m->self, m->mode, x, m->u, t, m->rates);
+    for (size_t e = 0; e < p->events; ++e)
+        if (e != event && p->is_watched(m->mode, e) && !dalembert_is_last(m, e) && m->rates[e] < 0 &&
+            m->g[e] <= dalembert_tiny(m, t) * fabs(m->rates[e]))
+            return e;
+    return DALEMBERT_NONE;
+}
+
+static inline enum dalembert_status dalembert_pass_alone(dalembert_modes* m, double* t, double* x, size_t* event) {
     const size_t happened = *event;
     if (!dalembert_count_event(m, happened, *t)) return dalembert_event_storm;
     const size_t count = m->plant->transitions(happened, m->mode, dalembert_next, m->candidates);
@@ -320,6 +338,19 @@ static inline enum dalembert_status dalembert_pass(dalembert_modes* m, double* t
     const dalembert_effect effect = {happened, m->mode, 0, 0};
     const enum dalembert_status status = dalembert_change(m, &effect, count, t, x, event);
     return status == dalembert_good && *event == DALEMBERT_NONE ? dalembert_pass_accumulation(m, happened, t, x, event) : status;
+}
+
+/* An event happens now. Leaves the next one there, if that happens at once. */
+static inline enum dalembert_status dalembert_pass(dalembert_modes* m, double* t, double* x, size_t* event) {
+    size_t other = dalembert_is_last(m, *event) ? dalembert_happens_too(m, *event, *t, x) : DALEMBERT_NONE;
+    if (other != DALEMBERT_NONE) {
+        const enum dalembert_status status = dalembert_pass_alone(m, t, x, &other);
+        if (status != dalembert_no_mode) {
+            *event = other;
+            return status;
+        }
+    }
+    return dalembert_pass_alone(m, t, x, event);
 }
 
 #endif

@@ -30,7 +30,7 @@ const bool prints = std::getenv("DALEMBERT_TABLE") != nullptr;
 
 std::vector<std::filesystem::path> models() {
     return model_files({"cart_pendulum", "stick_slip", "bouncing_ball", "cylinder_stops", "switched_tank", "four_bar", "rolling_disc",
-                        "heavy_top", "heat_conduction", "hydraulic_cylinder", "half_bridge"},
+                        "heavy_top", "heat_conduction", "hydraulic_cylinder", "half_bridge", "normal_force_ends_with_phase"},
                        is_full);
 }
 
@@ -86,7 +86,8 @@ public:
         const bool is_stiff = made_->implicit_steps > 0;  // too much for simple steps
         if (const std::string status = status_in_c(made_->status); status != to_string(result_.outcome.status))
             row_.trouble += fmt::format(" {}, in C {} ({});", to_string(result_.outcome.status), status, made_->message);
-        if (std::fabs(made_->t - result_.outcome.t) > 1e-8 * wish.until)
+        // Where a run uses its steps up is chance: it may stay at a jump.
+        if (result_.outcome.status != Status::too_many_steps && std::fabs(made_->t - result_.outcome.t) > 1e-8 * wish.until)
             row_.trouble += fmt::format(" ends at {}, in C at {};", result_.outcome.t, made_->t);
         const bool comes_to_end = result_.outcome.status == Status::success || result_.outcome.status == Status::event;
         if (!comes_to_end) return row_;  // nothing is recorded at its last time
@@ -144,15 +145,38 @@ private:
         while (count > 0 && is_at_end(made_->events[count - 1].t)) --count;
         while (!events.empty() && is_at_end(events.back().t)) events.pop_back();
         if (plant_.modes > 0 && compares_modes && made_->mode != result_.mode) trouble += " another mode at the end;";
-        if (events.size() != count) trouble += fmt::format(" {} events, {} in C;", events.size(), count);
-        for (std::size_t i = 0; i < std::min(events.size(), count); ++i) {
-            const event_in_c& in_c = made_->events[i];
-            note(times, std::fabs(events[i].t - in_c.t) / until);
-            if (events[i].event == in_c.event && events[i].from == in_c.before && *events[i].to == in_c.after) continue;
-            trouble += fmt::format(" event {} is '{}' to '{}', in C '{}' to '{}';", i, plant_.event_names[events[i].event],
-                                   plant_.mode_names[*events[i].to], plant_.event_names[in_c.event], plant_.mode_names[in_c.after]);
+        std::vector<Change> changes, in_c;
+        for (const EventOfRun& e : events) add(changes, {e.t, e.event, e.from, *e.to}, until);
+        for (std::size_t i = 0; i < count; ++i) {
+            const event_in_c& e = made_->events[i];
+            add(in_c, {e.t, e.event, e.before, e.after}, until);
+        }
+        if (changes.size() != in_c.size()) trouble += fmt::format(" {} events, {} in C;", changes.size(), in_c.size());
+        for (std::size_t i = 0; i < std::min(changes.size(), in_c.size()); ++i) {
+            const Change &one = changes[i], &other = in_c[i];
+            note(times, std::fabs(one.t - other.t) / until);
+            const bool has_order = one.is_alone && other.is_alone;
+            if ((!has_order || one.event == other.event) && one.from == other.from && one.to == other.to) continue;
+            trouble += fmt::format(" event {} is '{}' to '{}', in C '{}' to '{}';", i, plant_.event_names[one.event],
+                                   plant_.mode_names[one.to], plant_.event_names[other.event], plant_.mode_names[other.to]);
             return;
         }
+    }
+
+    /// Events at one time, whose order is that of roundings, are one change.
+    struct Change {
+        double t;
+        std::size_t event;
+        unsigned from, to;
+        bool is_alone = true;
+    };
+    static void add(std::vector<Change>& changes, const Change& next, double until) {
+        if (changes.empty() || next.t - changes.back().t > 1e-12 * until) {
+            changes.push_back(next);
+            return;
+        }
+        changes.back().to = next.to;
+        changes.back().is_alone = false;
     }
 
     /// In parts, with the state carried to another run after each of them, bit by bit; and two runs at a time.
