@@ -11,7 +11,8 @@ namespace dalembert {
 
 inline std::shared_ptr<const LoadedModel> model_from(const std::string& text) {
     Diagnostics diagnostics;
-    return std::make_shared<LoadedModel>(read_model(std::make_shared<const Source>("test.toml", "[model]\nformat = 1\nname = \"test\"\n" + text), diagnostics));
+    const auto source = std::make_shared<const Source>("test.toml", "[model]\nformat = 1\nname = \"test\"\n" + text);
+    return std::make_shared<LoadedModel>(read_model(source, diagnostics));
 }
 
 inline Machine machine_from(const std::string& text, const std::string& scene = "", const std::map<std::string, int>& sizes = {}) {
@@ -25,7 +26,15 @@ inline Machine machine_of(const std::string& system, const std::string& scene = 
     return derive_machine(load(std::string(SOURCE_DIR) + "/systems/" + name + ".toml", diagnostics), scene, sizes);
 }
 
-inline GiNaC::ex symbol_named(const System& system, SymbolKind kind, const char* name) { return system.symbols.find(kind, name, 0)->symbol; }
+/// A chain or tree of bodies of tests/physics/chains.
+inline Machine chain_of(const std::string& name, const std::map<std::string, int>& sizes = {}) {
+    Diagnostics diagnostics;
+    return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
+}
+
+inline GiNaC::ex symbol_named(const System& system, SymbolKind kind, const char* name) {
+    return system.symbols.find(kind, name, 0)->symbol;
+}
 
 /// A machine with one coordinate and one body, to which a test adds what it is about.
 inline const std::string block =

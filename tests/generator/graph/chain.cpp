@@ -12,11 +12,6 @@ using namespace dalembert;
 
 namespace {
 
-Machine chain_of(const std::string& name, const std::map<std::string, int>& sizes = {}) {
-    Diagnostics diagnostics;
-    return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
-}
-
 std::unique_ptr<Code> body_to_body(const System& system) {
     return make_code(system, {.passes = {.rewriting = false}, .chain = ChainUse::wherever_possible});
 }

@@ -8,11 +8,6 @@ using namespace dalembert;
 
 namespace {
 
-Machine chain_of(const std::string& name, const std::map<std::string, int>& sizes = {}) {
-    Diagnostics diagnostics;
-    return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
-}
-
 const std::vector<std::pair<std::string, std::map<std::string, int>>> chains{{"rods", {{"N", 5}}}, {"two_arms", {}}, {"free_base", {}}};
 
 bool is_proven(const System& system) {

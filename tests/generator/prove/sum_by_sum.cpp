@@ -72,8 +72,9 @@ TEST_CASE("fingerprints are the same for what is equal, and tell most else apart
     CHECK_FALSE(are_alike(sin(l.a), sin(l.b)));
     CHECK_FALSE(are_alike(GiNaC::exp(l.x), GiNaC::exp(l.y)));
     CHECK_FALSE(are_alike(GiNaC::sqrt(l.x), l.x));
-    const Machine machine = machine_from("[attitudes.e]\nstart_rate = [1, 2, 3]\n[parameters]\nJ = { value = 1, unit = \"kg*m^2\" }\n[bodies]\n"
-                                         "p = { origin = [0, 0, 0], attitude = \"e\", inertia = [\"J\", \"J\", \"J\"] }\n");
+    const Machine machine =
+        machine_from("[attitudes.e]\nstart_rate = [1, 2, 3]\n[parameters]\nJ = { value = 1, unit = \"kg*m^2\" }\n"
+                     "[bodies]\np = { origin = [0, 0, 0], attitude = \"e\", inertia = [\"J\", \"J\", \"J\"] }\n");
     Fingerprints of_attitude(machine.system->symbols);
     ex squares = 0;
     for (const std::size_t part : machine.system->symbols.attitudes().front().parts)
