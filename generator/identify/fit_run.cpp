@@ -47,7 +47,7 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
     for (std::size_t e = 0; e < experiments_.size(); ++e) {
         check(e);
         ready_.emplace_back();
-        PlantRun first = prepared(e, start_);  // a start without a run is told here, with its place
+        PlantRun first = prepared(e, start_);  // reports a start without a run, and its place
         if (follows_nothing(e)) ready_.back() = std::move(first);
     }
     limit_steps();

@@ -36,7 +36,8 @@ struct ChainLink {
     std::vector<GiNaC::ex> parts() const;
 };
 
-/// Calls visit(six values) for each row or vector of a link, or of what has the members of one: the order of ChainLink::parts.
+/// Calls visit with each row and vector of a link, six values each, in the order of ChainLink::parts. Other types with the same members
+/// will do, too.
 template <class Link, class Visit>
 void each_part(Link& link, const Visit& visit) {
     for (auto& row : link.transfer) visit(row);

@@ -77,8 +77,8 @@ void move_in_space(BodyMotion& body, const BodyMotion* base, const Translator& t
     const SpaceVector centre = vector(item.centre);
     const SpaceVector origin = vector(item.position ? item.position : item.origin);
     body.frame = placed(base != nullptr ? frame_of(*base, symbols) : nullptr, orientation_of(item, translate, indices), origin, symbols);
-    body.own_velocity = as_letters(body.frame->velocity, *body.frame) + cross(as_letters(body.frame->angular_velocity, *body.frame), centre) +
-                        time_derivative(centre, symbols);
+    const SpaceVector omega = as_letters(body.frame->angular_velocity, *body.frame);
+    body.own_velocity = as_letters(body.frame->velocity, *body.frame) + cross(omega, centre) + time_derivative(centre, symbols);
     body.position = body.frame->point_to_ground(centre);
     body.velocity = time_derivative(body.position, symbols);
     body.is_seen_from_ground = base == nullptr && is_zero(centre);

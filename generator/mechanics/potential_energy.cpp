@@ -28,9 +28,11 @@ Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, co
     result.energy = -body.mass * dot(acceleration, from_reference);
     SpaceVector pull = body.in_used_axes(acceleration);
     if (body.frame) pull = as_letters(pull, *body.frame);
-    for (std::size_t j = 0; j < symbols.degrees(); ++j)
-        result.force.push_back(body.mass * (body.frame ? dot(pull, partial_of_kept(body.used_velocity(), symbols.get(SymbolKind::velocity, j)))
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        result.force.push_back(body.mass * (body.frame ? dot(pull, partial_of_kept(body.used_velocity(), qd))
                                                        : dot(acceleration, body.along(j, symbols))));
+    }
     return result;
 }
 

@@ -33,7 +33,7 @@ Twist turning(const Twist& a, const Twist& w) {
     return joined(cross(angular(a), angular(w)), cross(angular(a), linear(w)) - cross(angular(w), linear(a)));
 }
 
-/// Velocities of bodies in letters of their links: sums that are kept whole in the velocities of what is placed on them.
+/// Puts letters of links for velocities of bodies. The velocity of a body contains those of its base as sums that are kept whole.
 class KnownSums : public GiNaC::map_function {
 public:
     ex operator()(const ex& e) override {

@@ -111,7 +111,8 @@ bool may_have_letters(const ex& e) {
     });
 }
 
-/// S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
+/// The rules S^2 = 1, root > 0 and I*den = 1 hold only where the argument is not zero. If it is zero, and the form does not see that,
+/// nothing is proven.
 template <class SeemsZero>
 bool is_proven_zero(NormalForm& form, const ex& e, SeemsZero&& seems_zero) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proofs of what is made of sums that are kept whole, one sum at a time.
+// Proofs for expressions with sums that are kept whole: one sum at a time.
 #pragma once
 
 #include <set>

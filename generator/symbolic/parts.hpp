@@ -12,11 +12,13 @@ namespace dalembert {
 
 using LettersInside = std::set<GiNaC::ex, GiNaC::ex_is_less>;
 
-/// Calls visit for the expression and each different one inside it, outer ones first, until that returns true. Returns whether it did.
+/// Calls visit for the expression and what is inside it, outer ones first, until that returns true. Returns whether it did. What has parts
+/// itself is looked at once, wherever it occurs.
 template <class Visit>
 bool any_part(const GiNaC::ex& e, const Visit& visit) {
     std::unordered_set<GiNaC::ex> seen;
     const auto look = [&](const auto& again, const GiNaC::ex& part) -> bool {
+        if (part.nops() == 0) return visit(part);
         if (!seen.insert(part).second) return false;
         if (visit(part)) return true;
         for (std::size_t i = 0; i < part.nops(); ++i)
@@ -26,7 +28,7 @@ bool any_part(const GiNaC::ex& e, const Visit& visit) {
     return look(look, e);
 }
 
-/// Calls visit for all of them.
+/// Calls visit for all of that.
 template <class Visit>
 void each_part_once(const GiNaC::ex& e, const Visit& visit) {
     any_part(e, [&](const GiNaC::ex& part) {
