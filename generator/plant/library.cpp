@@ -20,6 +20,7 @@
 
 #include "plant/compiler.hpp"
 #include "text/diagnostic.hpp"
+#include "text/digest.hpp"
 #include "text/files.hpp"
 #include "text/process.hpp"
 
@@ -67,13 +68,6 @@ std::string identity(const std::string& program) {
     return "";
 }
 
-/// FNV-1a, 64 bits.
-std::uint64_t hash(const std::string& text) {
-    std::uint64_t value = 14695981039346656037U;
-    for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    return value;
-}
-
 /// The headers of the runtime, one after the other: a plant includes some of them.
 std::string runtime_text() {
     std::vector<fs::path> files;
@@ -92,7 +86,7 @@ std::string key_of(const PlantSource& source) {
     // The first word may only start the compiler, as in "ccache g++".
     for (const std::string& word : compiler_command()) key += word + " " + identity(word) + "\n";
     for (const std::string& flag : flags) key += flag + " ";
-    key += fmt::format("\nruntime {:016x}", hash(runtime_text()));
+    key += fmt::format("\nruntime {:016x}", digest(runtime_text()));
     return key + "\n==== " + source.header_name + "\n" + source.header + "\n====\n" + source.source;
 }
 
@@ -181,7 +175,7 @@ std::string PlantLibrary::take(const PlantSource& source, PlantCache cache) {
     if (!folder.empty() && fs::create_directories(folder, error)) fs::permissions(folder, fs::perms::owner_all, error);
     const bool is_kept = !folder.empty() && fs::is_directory(folder, error);
     const std::string key = is_kept ? key_of(source) : "";
-    const fs::path library = folder / fmt::format("{:016x}.so", hash(key)), text = folder / fmt::format("{:016x}.txt", hash(key));
+    const fs::path library = folder / fmt::format("{:016x}.so", digest(key)), text = folder / fmt::format("{:016x}.txt", digest(key));
     if (is_kept && fs::exists(library, error) && content(text) == key) {
         fs::last_write_time(library, fs::file_time_type::clock::now(), error);
         fs::last_write_time(text, fs::file_time_type::clock::now(), error);

@@ -11,6 +11,7 @@
 #include "run/closed_forms.hpp"
 #include "run/run_header.hpp"
 #include "plant/methods.hpp"
+#include "text/digest.hpp"
 
 namespace dalembert {
 
@@ -37,12 +38,6 @@ std::size_t count(const std::map<std::string, std::string>& said, const char* ke
 }
 double number(const std::map<std::string, std::string>& said, const char* key) {
     return said.contains(key) ? std::strtod(said.at(key).c_str(), nullptr) : 0;
-}
-
-/// FNV-1a.
-std::uint64_t hash(std::uint64_t start, const std::string& text) {
-    for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return start;
 }
 
 double largest(const std::vector<double>& values, std::size_t count) {
@@ -100,7 +95,7 @@ WorkPrecision::WorkPrecision(PreparedRun run, const Limits& limits, const std::v
 std::uint64_t WorkPrecision::fingerprint() const {
     std::uint64_t result = 14695981039346656037ULL;
     for (const std::string& text : {run_.header.text, source_, reference_source_, fmt::format("{} {}", limits_.run, limits_.repeat)})
-        result = hash(result, text);
+        result = digest(text, result);
     return result;
 }
 

@@ -11,6 +11,7 @@
 #include "elements/model.hpp"
 #include "read/reader.hpp"
 #include "run/in_parallel.hpp"
+#include "text/digest.hpp"
 #include "text/files.hpp"
 #include "text/guardian.hpp"
 #include "text/version.hpp"
@@ -33,12 +34,8 @@ std::string text_of_files(const std::filesystem::path& model) {
     return text;
 }
 
-/// FNV-1a: tells models apart that were changed between two calls.
-std::string digest_of(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return fmt::format("{:016x}", hash);
-}
+/// Tells models apart that were changed between two calls.
+std::string digest_of(const std::string& text) { return fmt::format("{:016x}", digest(text)); }
 
 nlohmann::ordered_json description(const Study& study, const Options& options, const std::vector<VariedQuantity>& varied,
                                    const std::vector<Observable>& observables) {

@@ -8,12 +8,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "text/digest.hpp"
+
 namespace dalembert {
 
-/// Of 48 bits, so that it stays whole where it is made a double (FNV-1a, folded).
+/// Of 48 bits, so that it stays whole where it is made a double.
 inline std::uint64_t hash_of(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    const std::uint64_t hash = digest(text);
     return (hash ^ (hash >> 48U)) & 0xFFFFFFFFFFFFULL;
 }
 
