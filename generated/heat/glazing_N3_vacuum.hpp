@@ -501,8 +501,8 @@ public:
         const Scalar e19 = T - balanced_temperature_6[0];
         const Scalar e20 = p_.eps * e3;
         const Scalar e21 = network_inverse_11[1] * e8;
-        const Scalar e22 = (balanced_temperature_6[1] - balanced_temperature_6[0])
-            * (balanced_temperature_6[1] + balanced_temperature_6[0]);
+        const Scalar e22 = (balanced_temperature_6[1] + balanced_temperature_6[0])
+            * (balanced_temperature_6[1] - balanced_temperature_6[0]);
         const Scalar e23 = e22 * ((e7 + e9) * (network_inverse_11[1] - network_inverse_11[0]));
         const Scalar e24 = sun * (network_inverse_11[1] + network_inverse_11[0]);
         const Scalar e25 = e8 * e23;

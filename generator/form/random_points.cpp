@@ -32,16 +32,26 @@ std::uint64_t next_word(std::uint64_t& state) {
 }
 
 std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Point& point, int digits) {
+    return values_at({e}, symbols, point, digits).front();
+}
+
+std::vector<std::optional<cln::cl_R>> values_at(const std::vector<ex>& expressions, const Symbols& symbols, const Point& point,
+                                                int digits) {
     const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
     GiNaC::exmap constants;
     for (const auto& [letter, value] : point) constants[letter] = numeric(cln::cl_float(value, precision));
-    // Steps one after the other: written out they may be too large.
-    for (const std::size_t step : symbols.steps_in(e)) {
-        const auto value = value_at(symbols.without_model_definitions(symbols.definition_values()[step]), constants, digits);
-        if (!value) return std::nullopt;
-        constants[symbols.get(SymbolKind::definition, step)] = numeric(*value);
-    }
-    return value_at(symbols.without_model_definitions(e), constants, digits);
+    // Steps one after the other: written out they may be too large. Without a value they stay letters.
+    for (const ex& e : expressions)
+        for (const std::size_t step : symbols.steps_in(e)) {
+            const ex& letter = symbols.get(SymbolKind::definition, step);
+            if (constants.contains(letter)) continue;
+            const auto value = value_at(symbols.without_model_definitions(symbols.definition_values()[step]), constants, digits);
+            if (value) constants[letter] = numeric(*value);
+        }
+    const FloatPoint at(constants, digits);
+    std::vector<std::optional<cln::cl_R>> result;
+    for (const ex& e : expressions) result.push_back(at.value(symbols.without_model_definitions(e)));
+    return result;
 }
 
 RandomPoints::RandomPoints(const System& system) {

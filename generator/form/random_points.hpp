@@ -55,6 +55,9 @@ private:
 
 /// The value computed with so many digits; nothing where it does not exist or is not real.
 std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const Symbols& symbols, const Point& point, int digits);
+/// Of several: what they have in common is computed once.
+std::vector<std::optional<cln::cl_R>> values_at(const std::vector<GiNaC::ex>& expressions, const Symbols& symbols, const Point& point,
+                                                int digits);
 
 enum class Sign { none, zero, not_zero };
 

@@ -69,13 +69,27 @@ void definitions(System& system) {
     }
 }
 
+/// Few coordinates are solved for at once. Where M is, its derivatives are taken, which are shorter of sums over bodies.
+void chain(System& system) {
+    constexpr std::size_t fewest = 5, fewest_of_composites = 9;
+    if (system.symbols.degrees() < fewest || !system.scene.constraints.empty() || !system.scene.modes.empty()) return;
+    system.chain = find_chain(system.scene, system.translate, system.bodies, system.symbols);
+    if (system.chain && system.symbols.degrees() >= fewest_of_composites)
+        system.composites = composite_motion(*system.chain, system.bodies, system.symbols);
+}
+
 void inertia(System& system) {
     const std::size_t n = system.symbols.degrees();
-    const InertialForces bodies = dalembert(system.bodies, system.symbols);
-    const InertialForces terms = christoffel(system.scene, system.translate);
-    system.mass = bodies.mass.add(terms.mass);
-    for (std::size_t j = 0; j < n; ++j) system.coriolis.push_back(bodies.coriolis[j] + terms.coriolis[j]);
-    system.prescribed_power = bodies.prescribed_power;
+    if (system.composites) {
+        system.mass = system.composites->mass;
+        system.coriolis = system.composites->coriolis;
+    } else {
+        const InertialForces bodies = dalembert(system.bodies, system.symbols);
+        const InertialForces terms = christoffel(system.scene, system.translate);
+        system.mass = bodies.mass.add(terms.mass);
+        for (std::size_t j = 0; j < n; ++j) system.coriolis.push_back(bodies.coriolis[j] + terms.coriolis[j]);
+        system.prescribed_power = bodies.prescribed_power;
+    }
     system.kinetic = kinetic_energies(system.scene, system.translate, system.bodies);
     system.kinetic_energy = GiNaC::add(GiNaC::exvector(system.kinetic.begin(), system.kinetic.end()));
 }
@@ -101,7 +115,7 @@ void forces(System& system) {
         system.prescribed_power += s.prescribed;
     }
     system.prescribed_power += system.fluids.prescribed_power + system.circuit.prescribed_power;
-    system.gravity = total_force(gravity, n);
+    system.gravity = system.composites ? system.composites->gravity : total_force(gravity, n);
     system.elastic = total_force(elastic, n);
     system.dissipative = total_force(system.resistances, n);
     system.supplied = total_force(system.supplies, n);
@@ -187,6 +201,9 @@ void equations(System& system) {
             terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) *
                             system.symbols.get(SymbolKind::acceleration, l));
         system.residual.push_back(GiNaC::add(terms));
+        if (system.chain)
+            system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j] +
+                                         system.circuit.force[j]);
     }
     for (const auto& member : system.scene.states)
         system.state_rates.push_back(member.item->derivative ? system.translate(member.item->derivative, Translator::indices_of(member))
@@ -211,17 +228,6 @@ void outputs(System& system) {
                                   item.doc, system.translate(item.value, Translator::indices_of(member))});
         add_rates_in_loops(system, *item.value, system.outputs.back().value);
     }
-}
-
-/// Few coordinates are solved for at once.
-void chain(System& system) {
-    constexpr std::size_t fewest = 5;
-    const std::size_t n = system.symbols.degrees();
-    if (n < fewest || !system.scene.constraints.empty() || !system.scene.modes.empty()) return;
-    system.chain = find_chain(system.scene, system.translate, system.bodies, system.symbols);
-    for (std::size_t j = 0; system.chain && j < n; ++j)
-        system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j] +
-                                     system.circuit.force[j]);
 }
 
 }  // namespace
@@ -295,10 +301,10 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     auto system = std::make_unique<System>(names, std::move(scene));
     definitions(*system);
     stores(*system);
+    chain(*system);
     inertia(*system);
     forces(*system);
     equations(*system);
-    chain(*system);
     constrain(*system);
     const ex by_jets = exchanged_by_jets(*system);
     system->exchanged_power += by_jets;

@@ -11,6 +11,7 @@
 #include "balance/balance_equation.hpp"
 #include "balance/circuit.hpp"
 #include "balance/field.hpp"
+#include "form/composite_motion.hpp"
 #include "mechanics/chain.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
@@ -166,6 +167,7 @@ struct System {
 
     std::vector<BodyMotion> bodies;
     std::optional<Chain> chain;     ///< of many bodies that are placed on each other and free to move
+    std::optional<CompositeMotion> composites;  ///< of a chain in space: what M, coriolis and gravity are then
     std::vector<Potential> potentials;
     std::vector<Resistance> resistances;
     std::vector<Supply> supplies;

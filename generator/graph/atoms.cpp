@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "text/digest.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -93,25 +95,33 @@ bool Atoms::is_dynamic(const Polynomial& p) const {
     return false;
 }
 
-std::optional<Letter> Atoms::find(Op op, const std::vector<Polynomial>& arguments) const {
-    std::string whole = name_of(op);
-    for (const Polynomial& argument : arguments) whole += "(" + key(argument) + ")";
-    const auto known = by_key_.find(whole);
-    return known == by_key_.end() ? std::nullopt : std::optional(known->second);
+std::string Atoms::key(Op op, const std::vector<Polynomial>& arguments) const {
+    constexpr std::size_t longest = 1000;
+    std::string result = name_of(op);
+    for (const Polynomial& argument : arguments) result += "(" + key(argument) + ")";
+    return result.size() <= longest ? result : fmt::format("{}~{:016x}", result.substr(0, longest), digest(result));
 }
 
+std::optional<Letter> Atoms::find(const std::string& key, const std::vector<Polynomial>& arguments) const {
+    const auto known = by_key_.find(key);
+    if (known == by_key_.end()) return std::nullopt;
+    if (atoms_[known->second].arguments != arguments) throw std::logic_error("two sums have one key");
+    return known->second;
+}
+
+std::optional<Letter> Atoms::find(Op op, const std::vector<Polynomial>& arguments) const { return find(key(op, arguments), arguments); }
+
 Letter Atoms::letter(Op op, std::vector<Polynomial> arguments) {
-    std::string whole = name_of(op);
+    std::string own = key(op, arguments);
+    if (const auto known = find(own, arguments)) return *known;
     int level = 0;
     bool dynamic = false;
     for (const Polynomial& argument : arguments) {
-        whole += "(" + key(argument) + ")";
         dynamic = dynamic || is_dynamic(argument);
         for (const auto& [monomial, coefficient] : argument.terms())
             for (const LetterPower& power : monomial) level = std::max(level, atoms_[power.letter].level);
     }
-    if (const auto known = by_key_.find(whole); known != by_key_.end()) return known->second;
-    return add({op, std::move(arguments), std::move(whole), level + 1, dynamic});
+    return add({op, std::move(arguments), std::move(own), level + 1, dynamic});
 }
 
 std::vector<Letter> Atoms::in_order(std::size_t first) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What polynomials of emitted expressions are made of: symbols, functions of polynomials, and sums kept whole. Every atom has a
 // key that depends on its structure and the order of declaration alone, never on GiNaC's order of terms, and letters are
-// numbered by those keys. That is what makes one model give one text.
+// numbered by those keys. That is what makes one model give one text. Of a long key only the beginning is there, with a number for the
+// rest: sums of sums of sums would have no end.
 #pragma once
 
 #include <string>
@@ -49,11 +50,14 @@ public:
     /// Numbers all letters by (level, key) and rewrites the polynomials given, which are all that is still wanted.
     void canonicalise(const std::vector<Polynomial*>& polynomials);
 
-    /// Adds the letters that `grown` has besides, a copy of these atoms to which some were added: by (level, key), whatever order they came in there.
+    /// Adds the letters that `grown` has besides, a copy of these atoms to which some were added: by (level, key), whatever order they came
+    /// in there.
     void add_in_order(const Atoms& grown);
 
 private:
     std::string key(const Monomial& m) const;
+    std::string key(Op op, const std::vector<Polynomial>& arguments) const;
+    std::optional<Letter> find(const std::string& key, const std::vector<Polynomial>& arguments) const;
     Letter add(Atom atom);
     /// The letters from number `first` on by (level, key).
     std::vector<Letter> in_order(std::size_t first) const;

@@ -51,7 +51,7 @@ std::tuple<Rational, Monomial, Polynomial> primitive(const Polynomial& p, const 
 
 class Lowering {
 public:
-    Lowering(Atoms& atoms, FractionalPowers powers) : atoms_(atoms), powers_(powers) {}
+    Lowering(Atoms& atoms, LoweredSums& known, FractionalPowers powers) : atoms_(atoms), known_(known), powers_(powers) {}
 
     Polynomial operator()(const ex& e) {
         if (GiNaC::is_exactly_a<numeric>(e)) {
@@ -129,8 +129,8 @@ private:
     Polynomial function(const ex& e) {
         const unsigned serial = ex_to<GiNaC::function>(e).get_serial();
         if (serial == whole_SERIAL::serial) {
-            const Polynomial inside = folded((*this)(e.op(0)), atoms_);
-            return kept_whole(inside, 1, atoms_);
+            if (const auto known = known_.find(e); known != known_.end()) return known->second;
+            return known_.emplace(e, kept_whole(folded((*this)(e.op(0)), atoms_), 1, atoms_)).first->second;
         }
         if (serial == unlocated_SERIAL::serial) return (*this)(e.op(0));
         if (is_network_function(e)) return network(e);
@@ -178,6 +178,7 @@ private:
     }
 
     Atoms& atoms_;
+    LoweredSums& known_;
     FractionalPowers powers_;
     double work_ = 0;
 };
@@ -268,8 +269,13 @@ Polynomial with_extrema_joined(Polynomial p, const Atoms& atoms) {
 
 }  // namespace
 
+Polynomial lower(const ex& e, Atoms& atoms, LoweredSums& known, FractionalPowers powers) {
+    return folded(with_extrema_joined(Lowering(atoms, known, powers)(e), atoms), atoms);
+}
+
 Polynomial lower(const ex& e, Atoms& atoms, FractionalPowers powers) {
-    return folded(with_extrema_joined(Lowering(atoms, powers)(e), atoms), atoms);
+    LoweredSums known;
+    return lower(e, atoms, known, powers);
 }
 
 std::vector<Polynomial> lower_in_order(const std::vector<ex>& expressions, Atoms& atoms) {

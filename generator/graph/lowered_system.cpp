@@ -138,7 +138,7 @@ private:
         return result;
     }
 
-    Polynomial one(const ex& e) { return lower(e, atoms_); }
+    Polynomial one(const ex& e) { return lower(e, atoms_, sums_); }
     std::vector<Polynomial> all(const std::vector<ex>& expressions) {
         std::vector<Polynomial> result;
         for (const ex& e : expressions) result.push_back(one(e));
@@ -203,6 +203,7 @@ private:
     const System& system_;
     Atoms& atoms_;
     ChainUse chain_;
+    LoweredSums sums_;
 };
 
 }  // namespace

@@ -28,19 +28,26 @@ private:
     using ex = GiNaC::ex;
 
     struct MovingRaisers {
-        Raiser with_letters, with_solutions;
+        Raiser with_letters, with_sums, with_solutions;  ///< with_sums: letters, and sums kept whole
     };
 
     const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
 
     AuditEntry& entry(const std::string& name);
     void compare(Function function, const ex& emitted, const ex& derived);
+    void compare(Function function, Raiser& plain, Raiser& kept, NodeId node, const ex& derived) {
+        if (is_proven_by_sums(kept, node, derived)) compare(function, derived, derived);
+        else compare(function, plain(node), derived);
+    }
     /// note [sum by sum]: whether a node raised with its sums kept whole is what was derived.
     bool is_proven_by_sums(Raiser& kept, NodeId node, const ex& derived) {
         return SumBySum::has_sums(derived) && by_sums_.proven_equal(kept(node), derived);
     }
     GiNaC::exmap solutions(const FunctionCode& f, Raiser& raise) const;
     void solved_motion(Function function);
+    Raiser raiser(const FunctionCode& f, Raiser::Sums sums = Raiser::Sums::open) const {
+        return Raiser(f.program, code_.atoms, cached_, sums);
+    }
     MovingRaisers moving_raisers(const FunctionCode& f) const;
     void compare_moving(Function function, MovingRaisers& raise, NodeId node, const ex& derived);
     /// By the chain rule through the free accelerations, whose slopes are letters here.

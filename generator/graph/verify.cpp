@@ -63,7 +63,7 @@ void Verification::compare(Function function, const ex& emitted, const ex& deriv
 
 void Verification::definitions() {
     const FunctionCode& f = code_[Function::update];
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     for (std::size_t i = 0; i < code_.definition_order.size(); ++i)
         compare(Function::update, raise(f.results[i]), system_.symbols.definition_values()[code_.definition_order[i]]);
 }
@@ -79,14 +79,14 @@ GiNaC::exmap Verification::solutions(const FunctionCode& f, Raiser& raise) const
 void Verification::motion(Function function) {
     const FunctionCode& f = code_[function];
     solved_motion(function);
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     for (std::size_t i = 0; i < system_.state_rates.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
 }
 
 void Verification::solved_motion(Function function) {
     const FunctionCode& f = code_[function];
     if (solved_for(f).empty()) return;
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     if (f.chain) {
         link_proof(function);
         return;
@@ -94,9 +94,9 @@ void Verification::solved_motion(Function function) {
     const SolvedMotion derived = system_.solved_motion();
     const std::vector<ex> derived_mass = lower_triangle(derived.matrix);
     const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
-    Raiser raise_mass(m.program, code_.atoms, cached_);
-    for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass(m.mass[i]), derived_mass[i]);
-    for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), derived.force[j]);
+    Raiser raise_mass = raiser(m), kept_mass = raiser(m, Raiser::Sums::kept_whole), kept = raiser(f, Raiser::Sums::kept_whole);
+    for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass, kept_mass, m.mass[i], derived_mass[i]);
+    for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise, kept, f.force[j], derived.force[j]);
     if (system_.motion.accelerations.empty()) return;
     const GiNaC::exmap known = solutions(f, raise);
     for (const auto& [j, acceleration] : system_.motion.accelerations)
@@ -111,7 +111,7 @@ const Comparison& Verification::equations_of_links() {
         Comparison result = prover_.equal(meant, derived);
         if (is_worse(result.verdict, of_links_->verdict)) of_links_ = std::move(result);
     };
-    const MeantMotion meant = meant_motion(*system_.chain);
+    const MeantMotion meant = system_.composites ? meant_motion(*system_.chain, *system_.composites) : meant_motion(*system_.chain);
     for (unsigned i = 0; i < meant.force.size(); ++i) {
         for (unsigned j = 0; j < meant.force.size(); ++j) compare(meant.mass[i][j], system_.motion.matrix(i, j));
         compare(meant.force[i], system_.motion.force[i]);
@@ -121,7 +121,7 @@ const Comparison& Verification::equations_of_links() {
 
 LinkProof Verification::link_proof(Function function) {
     const std::string name = std::string("emitted = derived, ") + name_of(function);
-    LinkProof proof(code_[function], system_, Raiser(code_[function].program, code_.atoms, cached_), prover_,
+    LinkProof proof(code_[function], system_, raiser(code_[function]), prover_,
                     [=, this](const Prover::Evaluation& evaluate, const ex& emitted, const ex& derived) {
                         if (entry(name).result.verdict == Verdict::wrong) return;  // nothing gets worse
                         Comparison result = prover_.compare_at_points(evaluate, emitted, derived);
@@ -137,7 +137,7 @@ LinkProof Verification::link_proof(Function function) {
 void Verification::chain_columns(Function function, By by) {
     const FunctionCode& f = code_[function];
     link_proof(function).columns(chain_slopes(system_, {by}), by);
-    Raiser plain(f.program, code_.atoms, cached_);
+    Raiser plain = raiser(f);
     const GiNaC::exmap known = solutions(f, plain);
     const Partials p = partials(system_, by, false);
     for (std::size_t c = 0; c < p.state_rate.size(); ++c)
@@ -150,7 +150,7 @@ void Verification::chain_is_solved(Function function) {
     if (!f.chain) return;
     AuditEntry& e = entry("emitted solve from body to body");
     Comparison result = chain_solve_is_right(f, code_.atoms);
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     const auto is_reciprocal = [&](NodeId reciprocal, NodeId pivot) {
         return pivot < f.program.size() && prover_.proven_equal(raise(reciprocal) * raise(pivot), 1);
     };
@@ -172,16 +172,19 @@ void Verification::columns(Function function, By by) {
 }
 
 Verification::MovingRaisers Verification::moving_raisers(const FunctionCode& f) const {
-    MovingRaisers raise{Raiser(f.program, code_.atoms, cached_), Raiser(f.program, code_.atoms, cached_)};
+    MovingRaisers raise{raiser(f), raiser(f, Raiser::Sums::kept_whole), raiser(f)};
     const std::vector<ex> unknowns = system_.unknowns();
     const std::vector<std::size_t> places = system_.unknown_places();
-    for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i)
+    for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) {
         raise.with_letters.define(solved_for(f)[places[i]], unknowns[i]);
+        raise.with_sums.define(solved_for(f)[places[i]], unknowns[i]);
+    }
     return raise;
 }
 
 void Verification::compare_moving(Function function, MovingRaisers& raise, NodeId node, const ex& derived) {
-    if (prover_.proven_equal(raise.with_letters(node), derived)) return compare(function, derived, derived);
+    if (is_proven_by_sums(raise.with_sums, node, derived) || prover_.proven_equal(raise.with_letters(node), derived))
+        return compare(function, derived, derived);
     compare(function, raise.with_solutions(node),
             derived.subs(solutions(code_[function], raise.with_solutions), GiNaC::subs_options::no_pattern));
 }
@@ -204,7 +207,7 @@ void Verification::together() {
 void Verification::sample() {
     motion(Function::sample);
     const FunctionCode& f = code_[Function::sample];
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     const std::vector<ex> outputs = output_values(system_);
     for (std::size_t i = 0; i < outputs.size(); ++i)
         compare(Function::sample, raise(f.results[system_.state_rates.size() + i]), outputs[i]);
@@ -213,7 +216,7 @@ void Verification::sample() {
 void Verification::held_column(Function function, const FunctionCode& f, std::size_t c, const std::vector<ex>& at_fixed) {
     const Motion& motion = system_.motion;
     if (motion.accelerations.empty()) return;
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     const GiNaC::exmap known = solutions(f, raise);
     for (std::size_t i = 0; i < motion.accelerations.size(); ++i) {
         const auto& [j, derived] = motion.accelerations[i];

@@ -70,7 +70,7 @@ ex LinkProof::stand_in(NodeId id, const ex& letter) {
         return value;
     }
     raise_.define(id, letter);
-    meaning_.emplace_back(letter, value);
+    meaning_.add(letter, value);
     return letter;
 }
 
@@ -133,12 +133,9 @@ std::optional<Point> LinkProof::with_letters(Point point, int digits) const {
 bool LinkProof::is_same(const ex& raised, const ex& meant) {
     if (raised.is_equal(meant) || prover_.have_same_form(raised, meant)) return true;
     ex one = raised, other = meant;
-    for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last) {
-        if (one.has(last->first) == other.has(last->first)) continue;
-        one = one.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
-        other = other.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
-        if (prover_.have_same_form(one, other)) return true;
-    }
+    bool have_same_form = false;
+    meaning_.write_out(one, other, [&] { return have_same_form = prover_.have_same_form(one, other); });
+    if (have_same_form) return true;
     return prover_.proven_equal(one, other) || prover_.proven_equal(raised, meant);
 }
 

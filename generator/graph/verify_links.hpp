@@ -15,6 +15,7 @@
 #include "form/chain_slopes.hpp"
 #include "graph/raise.hpp"
 #include "prove/equivalence.hpp"
+#include "prove/letter_meanings.hpp"
 
 namespace dalembert {
 
@@ -66,7 +67,7 @@ private:
     ComparisonAtPoints compare_;
     std::vector<std::vector<std::size_t>> on_;     ///< links that are placed on a link
     GiNaC::exmap stands_for_;                      ///< letters of the derivation, and what code has in their place
-    std::vector<std::pair<ex, ex>> meaning_;       ///< of letters, each made of those before it
+    LetterMeanings meaning_;
     std::vector<ex> solved_;                       ///< accelerations that are letters for what they were solved to be
     struct Known {
         Point point;

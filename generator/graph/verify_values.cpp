@@ -11,7 +11,7 @@ using GiNaC::ex;
 
 void Verification::correction() {
     const FunctionCode& f = code_[Function::correction];
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     std::vector<std::size_t> holding;
     for (std::size_t i = 0; i < system_.constraints.size(); ++i)
         if (system_.constraints[i].holds) holding.push_back(i);
@@ -49,8 +49,8 @@ void Verification::resets() {
 void Verification::values(Function function, const std::vector<ex>& derived) {
     const FunctionCode& f = code_[function];
     solved_motion(function);
-    Raiser raise(f.program, code_.atoms, cached_);
-    Raiser plain(f.program, code_.atoms, cached_), kept(f.program, code_.atoms, cached_, Raiser::Sums::kept_whole);
+    Raiser raise = raiser(f);
+    Raiser plain = raiser(f), kept = raiser(f, Raiser::Sums::kept_whole);
     define_solutions(f, raise);
     define_solutions(f, kept);
     GiNaC::exmap held;
@@ -104,7 +104,7 @@ void Verification::define_solutions(const FunctionCode& f, Raiser& raise) const 
 
 void Verification::output_columns(Function function, By by) {
     const FunctionCode& f = code_[function];
-    Raiser raise(f.program, code_.atoms, cached_);
+    Raiser raise = raiser(f);
     const Partials p = partials(system_, by, !f.whole_output.entries.empty());
     const auto by_acceleration = output_by_acceleration(system_);
     solved_motion(function);
@@ -125,7 +125,7 @@ void Verification::output_columns(Function function, By by) {
 
 void Verification::whole_output(Function function, const FunctionCode& f, const Partials& p) {
     for (std::size_t c = 0; c < p.residual.size(); ++c) {
-        Raiser raise(f.program, code_.atoms, cached_);
+        Raiser raise = raiser(f);
         const GiNaC::exmap known = solutions(f, raise);
         for (std::size_t j = 0; j < p.residual[c].size(); ++j)
             compare(function, raise(f.right.at(j, c)), (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));

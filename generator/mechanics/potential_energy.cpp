@@ -28,11 +28,10 @@ Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, co
     result.energy = -body.mass * dot(acceleration, from_reference);
     SpaceVector pull = body.in_used_axes(acceleration);
     if (body.frame) pull = as_letters(pull, *body.frame);
-    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex& qd = symbols.get(SymbolKind::velocity, j);
-        result.force.push_back(body.mass * (body.frame ? dot(pull, partial_of_kept(body.used_velocity(), qd))
-                                                       : dot(acceleration, body.along(j, symbols))));
-    }
+    if (body.frame) result.force = slopes_of_power(pull, body.used_velocity(), symbols);
+    else
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force.push_back(dot(acceleration, body.along(j, symbols)));
+    for (ex& one : result.force) one *= body.mass;
     return result;
 }
 

@@ -7,7 +7,6 @@
 
 #include "elements/bodies.hpp"
 #include "elements/gravity.hpp"
-#include "form/chain_motion.hpp"
 #include "mechanics/body_letters.hpp"
 #include "prove/sum_by_sum.hpp"
 #include "symbolic/functions.hpp"
@@ -55,7 +54,18 @@ public:
     bool holds() {
         if (system_.kinetic.size() != system_.bodies.size() || chain_.links.size() != system_.bodies.size()) return false;
         return std::all_of(chain_.links.begin(), chain_.links.end(), [&](const ChainLink& link) { return link_holds(link); }) &&
-               links_are_dalemberts();
+               (system_.composites ? are_composites() : links_are_dalemberts());
+    }
+
+    bool is_on_another(std::size_t body) const {
+        return std::any_of(chain_.links.begin(), chain_.links.end(), [&](const ChainLink& link) { return link.body == body && link.base; });
+    }
+
+    /// Of bodies that stand on others it is known what pulls at them.
+    bool gravity_is_summed() {
+        for (std::size_t j = 0; j < system_.gravity.size(); ++j)
+            if (!system_.gravity[j].is_equal(system_.composites->gravity[j])) return false;
+        return std::all_of(chain_.links.begin(), chain_.links.end(), [&](const ChainLink& link) { return is_pulled(link); });
     }
 
 private:
@@ -332,6 +342,53 @@ private:
         return true;
     }
 
+    /// Bodies that are handed on, and what they need, do to any twist of a base what they do to the twist of the link that follows from it.
+    bool are_composites() {
+        for (const ChainLink& link : chain_.links)
+            if (link.base && !is_handed_on(link)) return false;
+        for (unsigned i = 0; i < system_.coriolis.size(); ++i) {
+            for (unsigned j = 0; j < system_.coriolis.size(); ++j)
+                if (!system_.mass(i, j).is_equal(system_.composites->mass(i, j))) return false;
+            if (!system_.coriolis[i].is_equal(system_.composites->coriolis[i])) return false;
+        }
+        return true;
+    }
+
+    bool is_handed_on(const ChainLink& link) {
+        const Frame& frame = *body_of(link).frame;
+        const Twist one = letters("moment of mass"), other = letters("tensor"), force = letters("force");
+        const RigidBody any{one[0], linear(one),
+                            {SpaceVector{other[0], other[3], other[4]}, SpaceVector{other[3], other[1], other[5]},
+                             SpaceVector{other[4], other[5], other[2]}}};
+        if (!same(on_base(force, frame), image_under_transposed(link.transfer, force))) return false;
+        const TwistMatrix inertia = matrix_of(any), on = matrix_of(seen_from_base(any, frame));
+        for (std::size_t c = 0; c < 6; ++c) {
+            Twist column, moved;
+            for (std::size_t r = 0; r < 6; ++r) column[r] = on[r][c], moved[r] = link.transfer[r][c];
+            if (!same(column, image_under_transposed(link.transfer, image_under(inertia, moved)))) return false;
+        }
+        return true;
+    }
+
+    bool is_pulled(const ChainLink& link) {
+        const BodyMotion& body = body_of(link);
+        const auto gravity = std::find_if(system_.potentials.begin(), system_.potentials.end(),
+                                          [&](const Potential& p) { return p.body == link.body; });
+        const SpaceVector pull = body.frame->from_ground(SpaceVector{0, 0, 0} - linear(chain_.ground));
+        if (gravity == system_.potentials.end()) return body.mass.is_zero() || is_zero(pull);
+        if (link.base) return true;
+        for (std::size_t j = 0; j < gravity->force.size(); ++j) {
+            const auto own = std::find(link.coordinates.begin(), link.coordinates.end(), j);
+            if (own == link.coordinates.end() ? !gravity->force[j].is_zero()
+                                              : !same(gravity->force[j], body.mass * dot(pull, moved_centre(link, direction(link, j)))))
+                return false;
+        }
+        return true;
+    }
+    SpaceVector moved_centre(const ChainLink& link, const Twist& twist) const {
+        return linear(twist) + cross(angular(twist), centre_of(body_of(link)));
+    }
+
     const System& system_;
     const Symbols& symbols_;
     const Chain& chain_;
@@ -351,11 +408,22 @@ bool BodyByBody::stands_in_plane(const Chain& chain, std::size_t body) const {
 }
 
 BodyByBody::BodyByBody(const System& system, Prover& prover)
-    : system_(system), inertia_is_proven_(system.chain && LinkByLink(system, prover).holds()) {}
+    : system_(system), gravity_is_proven_(system.potentials.size(), false) {
+    if (!system.chain) return;
+    LinkByLink links(system, prover);
+    inertia_is_proven_ = links.holds();
+    if (!inertia_is_proven_) return;
+    bool are_known = true;  // of bodies that stand on the ground
+    for (std::size_t i = 0; i < system.potentials.size(); ++i) {
+        const Potential& p = system.potentials[i];
+        gravity_is_proven_[i] = p.body && is_of_theorem(p);
+        if (p.body && !gravity_is_proven_[i]) are_known = are_known && !links.is_on_another(*p.body);
+    }
+    total_gravity_is_proven_ = are_known && system.composites && links.gravity_is_summed();
+}
 
 /// Whether energy and force are what the theorem is about.
-bool BodyByBody::gravity_is_proven(const Potential& gravity) const {
-    if (!inertia_is_proven_ || !gravity.body) return false;
+bool BodyByBody::is_of_theorem(const Potential& gravity) const {
     const BodyMotion& body = system_.bodies[*gravity.body];
     if (!body.frame || !body.frame->base || body.is_seen_from_ground || stands_in_plane(*system_.chain, *gravity.body)) return false;
     const auto translated = [&](const std::optional<VectorExpression>& v, const Indices& indices) {
@@ -367,11 +435,9 @@ bool BodyByBody::gravity_is_proven(const Potential& gravity) const {
     const ex energy = -body.mass * dot(acceleration, body.frame->point_to_ground(centre) - reference);
     if (!gravity.energy.is_equal(energy)) return false;
     const SpaceVector pull = as_letters(body.frame->from_ground(acceleration), *body.frame);
-    for (std::size_t j = 0; j < gravity.force.size(); ++j) {
-        const ex& qd = system_.symbols.get(SymbolKind::velocity, j);
-        if (!gravity.force[j].is_equal(body.mass * dot(pull, partial_of_kept(body.own_velocity, qd)))) return false;
-    }
-    return true;
+    const std::vector<ex> force = slopes_of_power(pull, body.own_velocity, system_.symbols);
+    return std::equal(force.begin(), force.end(), gravity.force.begin(),
+                      [&](const ex& one, const ex& given) { return given.is_equal(body.mass * one); });
 }
 
 }  // namespace dalembert

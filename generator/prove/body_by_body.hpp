@@ -17,6 +17,8 @@ namespace dalembert {
 /// Gravity pulls at a point c of a body with the power m*G*(w_v + w_w x c), G in the axes of the body. With the twist of the base, G in
 /// its axes and the point at o + A c there it is the same: by identities for any G and c. What is left at the body that a coordinate
 /// moves is the slope of where the point is. So the force is that of the energy -m*G*r.
+/// Where M and forces are made of composite bodies, any rigid body is shown to do to the twist of a base, handed on, what it does to the
+/// twist that follows from that: M is then the sum of a'*I*a over bodies, and inertial forces and gravity are the sums of theirs.
 class BodyByBody {
 public:
     BodyByBody(const System& system, Prover& prover);
@@ -25,13 +27,17 @@ public:
     /// of the above. False where that is not proven, and of a machine that is no chain.
     bool inertia_is_proven() const { return inertia_is_proven_; }
     /// That the force of gravity on a body is that of its energy.
-    bool gravity_is_proven(const Potential& gravity) const;
+    bool gravity_is_proven(std::size_t potential) const { return gravity_is_proven_[potential]; }
+    /// That gravity of composite bodies is the sum of these forces.
+    bool total_gravity_is_proven() const { return total_gravity_is_proven_; }
 
 private:
+    bool is_of_theorem(const Potential& gravity) const;
     bool stands_in_plane(const Chain& chain, std::size_t body) const;
 
     const System& system_;
-    bool inertia_is_proven_ = false;
+    std::vector<bool> gravity_is_proven_;  ///< by potential
+    bool inertia_is_proven_ = false, total_gravity_is_proven_ = false;
 };
 
 }  // namespace dalembert

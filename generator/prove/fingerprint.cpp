@@ -17,7 +17,8 @@ constexpr Print prime = Fingerprints::prime;
 
 constexpr long most_turns = 1000000;  ///< of a part of an angle; larger factors belong to the part
 
-Print times(Print a, Print b) { return static_cast<Print>(static_cast<unsigned __int128>(a) * b % prime); }
+__extension__ using Wide = unsigned __int128;
+Print times(Print a, Print b) { return static_cast<Print>(static_cast<Wide>(a) * b % prime); }
 Print plus(Print a, Print b) { return (a + b) % prime; }
 Print minus(Print a) { return a == 0 ? 0 : prime - a; }
 Print power(Print base, Print exponent) {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "elements/model.hpp"
 #include "elements/verdict.hpp"
 #include "prove/body_by_body.hpp"
+#include "symbolic/functions.hpp"
+#include "symbolic/parts.hpp"
 
 namespace dalembert {
 
@@ -21,7 +24,9 @@ std::string derivation_name(const System& system, std::size_t coordinate) {
 
 /// What is left to prove where inertia was, body by body: that the equations are made of these inertial forces and of forces that have
 /// their potentials.
-std::optional<std::vector<AuditEntry>> derivations_of_bodies(const System& system, const std::vector<AuditEntry>& potentials) {
+std::optional<std::vector<AuditEntry>> derivations_of_bodies(const System& system, const std::vector<AuditEntry>& potentials,
+                                                             const BodyByBody& bodies) {
+    if (system.composites && !bodies.total_gravity_is_proven()) return std::nullopt;
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
         GiNaC::exvector terms{system.coriolis[j],          -system.dissipative[j],  -system.supplied[j],
@@ -29,9 +34,10 @@ std::optional<std::vector<AuditEntry>> derivations_of_bodies(const System& syste
         for (std::size_t l = 0; l < system.symbols.degrees(); ++l)
             terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) *
                             system.symbols.get(SymbolKind::acceleration, l));
+        if (system.composites) terms.push_back(-system.gravity[j]);
         AuditEntry entry{derivation_name(system, j), {Verdict::proven}};
         for (std::size_t i = 0; i < potentials.size(); ++i) {
-            terms.push_back(-system.potentials[i].force[j]);
+            if (!system.composites || !system.potentials[i].body) terms.push_back(-system.potentials[i].force[j]);
             if (is_worse(potentials[i].result.verdict, entry.result.verdict)) entry.result = potentials[i].result;
         }
         if (!(system.residual[j] - GiNaC::add(terms)).is_zero()) return std::nullopt;
@@ -64,10 +70,11 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
 
 std::vector<AuditEntry> compare_potentials(const System& system, const BodyByBody& bodies, Prover& prover) {
     std::vector<AuditEntry> entries;
-    for (const Potential& p : system.potentials) {
+    for (std::size_t i = 0; i < system.potentials.size(); ++i) {
+        const Potential& p = system.potentials[i];
         const bool is_moving = !p.momentum.empty();
         AuditEntry entry{fmt::format("force = {}-d(energy)/dq, {}", is_moving ? "d/dt d(energy)/dqd " : "", p.name), {Verdict::proven}};
-        if (bodies.gravity_is_proven(p)) {
+        if (bodies.gravity_is_proven(i)) {
             entries.push_back(std::move(entry));
             continue;
         }
@@ -118,6 +125,53 @@ bool is_simple(const System& system) {
            std::all_of(system.potentials.begin(), system.potentials.end(), [](const Potential& p) { return p.momentum.empty(); });
 }
 
+/// Of what degree an expression is in the velocities of coordinates; nothing where its parts are not of one.
+class DegreeInVelocities {
+public:
+    explicit DegreeInVelocities(const Symbols& symbols) : symbols_(symbols) {}
+
+    std::optional<int> operator()(const ex& e) {
+        if (GiNaC::is_a<GiNaC::symbol>(e)) {
+            const Variable* variable = symbols_.find(e);
+            return variable != nullptr && variable->kind == SymbolKind::velocity ? 1 : 0;
+        }
+        if (e.nops() == 0) return 0;
+        if (const auto known = known_.find(e); known != known_.end()) return known->second;
+        return known_.emplace(e, of_parts(e)).first->second;
+    }
+
+private:
+    std::optional<int> of_parts(const ex& e) {
+        std::vector<int> degrees;
+        for (const ex& part : e) {
+            const auto degree = (*this)(part);
+            if (!degree) return std::nullopt;
+            degrees.push_back(*degree);
+        }
+        if (GiNaC::is_a<GiNaC::mul>(e)) return std::accumulate(degrees.begin(), degrees.end(), 0);
+        if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint))
+            return degrees[0] * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+        const bool is_alike = std::all_of(degrees.begin(), degrees.end(), [&](int degree) { return degree == degrees[0]; });
+        const bool keeps_degree = GiNaC::is_a<GiNaC::add>(e) || is_ex_the_function(e, whole);
+        return is_alike && (keeps_degree || degrees[0] == 0) ? std::optional(degrees[0]) : std::nullopt;
+    }
+
+    const Symbols& symbols_;
+    GiNaC::exhashmap<std::optional<int>> known_;
+};
+
+/// Whether the power of a force is that of its generalised forces: it is of degree one in the velocities, and these are its slopes (Euler's
+/// theorem on homogeneous functions).
+bool power_follows(const Supply& supply, DegreeInVelocities& degree, const Symbols& symbols) {
+    if (degree(supply.power) != 1 || !supply.prescribed.is_zero()) return false;
+    const LettersInside inside = letters_in(supply.power);
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        if (!supply.force[j].is_equal(inside.contains(qd) ? partial_of_kept(supply.power, qd) : ex(0))) return false;
+    }
+    return true;
+}
+
 /// Where inertia was proven body by body, the power of its forces is dT/dt, and that of forces with potentials is -dV/dt but for what
 /// changes these at rest.
 Comparison balance_of_other_power(const System& system, Prover& prover) {
@@ -132,8 +186,15 @@ Comparison balance_of_other_power(const System& system, Prover& prover) {
     GiNaC::exvector change{symbols.time_derivative(system.internal_energy)};
     for (const Potential& p : system.potentials) change.push_back(at_rest(p.energy));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
+    Generalised supplied = system.supplied;
+    DegreeInVelocities degree(symbols);
+    for (const Supply& supply : system.supplies) {
+        if (!power_follows(supply, degree, symbols)) continue;
+        power -= supply.power;
+        for (std::size_t j = 0; j < symbols.degrees(); ++j) supplied[j] -= supply.force[j];
+    }
     for (std::size_t j = 0; j < symbols.degrees(); ++j)
-        power -= (system.dissipative[j] + system.supplied[j] + system.fluids.force[j] + system.circuit.force[j]) *
+        power -= (system.dissipative[j] + supplied[j] + system.fluids.force[j] + system.circuit.force[j]) *
                  symbols.get(SymbolKind::velocity, j);
     return prover.equal(system.with_rates(GiNaC::add(change)), power);
 }
@@ -144,7 +205,7 @@ void compare_mechanics(const System& system, Prover& prover, Audit& audit) {
     const BodyByBody bodies(system, prover);
     audit.potentials = compare_potentials(system, bodies, prover);
     if (is_simple(system) && bodies.inertia_is_proven())
-        if (auto derivations = derivations_of_bodies(system, audit.potentials)) {
+        if (auto derivations = derivations_of_bodies(system, audit.potentials, bodies)) {
             audit.derivations = std::move(*derivations);
             audit.power_balance = {"power balance", balance_of_other_power(system, prover)};
             for (const AuditEntry& potential : audit.potentials)

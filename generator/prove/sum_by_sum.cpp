@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "symbolic/functions.hpp"
 #include "symbolic/parts.hpp"
@@ -20,6 +21,52 @@ bool needs_values(const ex& e) {
     if (GiNaC::is_a<GiNaC::power>(e)) return !e.op(1).info(GiNaC::info_flags::posint);
     return GiNaC::is_a<GiNaC::function>(e) && !GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) &&
            !GiNaC::is_the_function<GiNaC::cos_SERIAL>(e) && !is_ex_the_function(e, whole);
+}
+
+double terms_multiplied_out(const ex& e) {
+    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
+        const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
+        double result = is_sum ? 0 : 1;
+        for (const ex& part : e) result = is_sum ? result + terms_multiplied_out(part) : result * terms_multiplied_out(part);
+        return result;
+    }
+    if (!GiNaC::is_a<GiNaC::power>(e) || !e.op(1).info(GiNaC::info_flags::posint)) return 1;
+    return std::pow(terms_multiplied_out(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double());
+}
+
+/// Whole powers of what is in a term.
+GiNaC::exmap powers_in(const ex& term) {
+    GiNaC::exmap result;
+    const auto add = [&](const ex& factor) {
+        if (GiNaC::is_exactly_a<GiNaC::numeric>(factor)) return;
+        const bool is_power = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::posint);
+        result.emplace(is_power ? factor.op(0) : factor, is_power ? factor.op(1) : ex(1));
+    };
+    if (!GiNaC::is_a<GiNaC::mul>(term)) add(term);
+    else std::for_each(term.begin(), term.end(), add);
+    return result;
+}
+
+/// A sum as a product of what all its terms have in common and of what is left, multiplied out. Code has what is left in its place.
+std::pair<ex, ex> without_common_factors(const ex& sum) {
+    constexpr double most_terms = 400;
+    if (terms_multiplied_out(sum) > most_terms) return {1, sum};
+    const ex e = in_cosines(sum);
+    if (!GiNaC::is_a<GiNaC::add>(e)) return {e, 1};
+    GiNaC::exmap common = powers_in(e.op(0));
+    for (const ex& term : e) {
+        const GiNaC::exmap own = powers_in(term);
+        GiNaC::exmap both;
+        for (const auto& [base, exponent] : common)
+            if (const auto found = own.find(base); found != own.end())
+                both.emplace(base, (exponent - found->second).info(GiNaC::info_flags::positive) ? found->second : exponent);
+        common = std::move(both);
+    }
+    ex factor = e.integer_content();
+    for (const auto& [base, exponent] : common) factor *= GiNaC::pow(base, exponent);
+    GiNaC::exvector rest;
+    for (const ex& term : e) rest.push_back(term / factor);
+    return {factor, GiNaC::add(rest)};
 }
 
 }  // namespace
@@ -49,47 +96,30 @@ bool SumBySum::has_sums(const ex& e) {
 
 ex SumBySum::letter_for(const ex& sum, bool is_derived) {
     if (!GiNaC::is_a<GiNaC::add>(sum)) return sum;
-    const std::uint64_t print = print_(sum), opposite = Fingerprints::prime - print;
+    const auto [factor, rest] = without_common_factors(sum);
+    if (!GiNaC::is_a<GiNaC::add>(rest)) return factor;
+    const std::uint64_t print = print_(rest), opposite = Fingerprints::prime - print;
     const bool is_negative = opposite < print;
     const auto known = by_print_.find(std::min(print, opposite));
     if (known != by_print_.end()) {
-        const Letter& letter = letters_[known->second];
+        const LetterMeanings::Letter& letter = letters_[known->second];
         const bool is_opposite = print_(letter.symbol) != print;
-        if (are_same(sum, is_opposite ? ex(-letter.meaning) : letter.meaning)) return is_opposite ? ex(-letter.symbol) : letter.symbol;
+        if (are_same(rest, is_opposite ? ex(-letter.meaning) : letter.meaning))
+            return is_opposite ? ex(-factor * letter.symbol) : factor * letter.symbol;
     }
     if (!is_derived || known != by_print_.end()) return sum;
     const ex symbol = GiNaC::realsymbol(fmt::format("sum {}", letters_.size()));
     print_.set(symbol, print);
     by_print_.emplace(is_negative ? opposite : print, letters_.size());
-    places_.emplace(symbol, letters_.size());
-    letters_.push_back({symbol, sum});
-    return symbol;
-}
-
-std::set<std::size_t> SumBySum::letters_in(const ex& e) const {
-    std::set<std::size_t> result;
-    each_part_once(e, [&](const ex& part) {
-        if (const auto known = places_.find(part); known != places_.end()) result.insert(known->second);
-    });
-    return result;
+    letters_.add(symbol, rest);
+    return factor * symbol;
 }
 
 bool SumBySum::are_same(ex a, ex b) {
     if (a.is_equal(b)) return true;
     if (print_(a) != print_(b)) return false;
     if (prover_.have_same_form(a, b)) return true;
-    std::set<std::size_t> in_a = letters_in(a), in_b = letters_in(b);
-    const auto write_out = [&](ex& side, std::set<std::size_t>& in_side, std::size_t letter) {
-        side = side.subs(letters_[letter].symbol == letters_[letter].meaning, GiNaC::subs_options::no_pattern);
-        in_side = letters_in(side);
-    };
-    while (true) {
-        std::vector<std::size_t> one_sided;
-        std::set_symmetric_difference(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(), std::back_inserter(one_sided));
-        if (one_sided.empty()) break;
-        if (in_a.contains(one_sided.back())) write_out(a, in_a, one_sided.back());
-        else write_out(b, in_b, one_sided.back());
-    }
+    letters_.write_out(a, b, [] { return false; });
     if (prover_.proven_equal(a, b)) return true;
     return is_zero_down_to_leaves(a - b);
 }
@@ -102,14 +132,14 @@ bool SumBySum::is_zero_down_to_leaves(ex difference) {
     while (true) {
         if (difference.is_zero()) return true;
         if (difference.nops() > most_terms) return false;
-        const std::set<std::size_t> inside = letters_in(difference);
+        const std::set<std::size_t> inside = letters_.in(difference);
         if (inside.empty()) return prover_.proven_equal(difference, 0);
-        const Letter& last = letters_[*inside.rbegin()];
-        difference = in_cosines(difference.subs(last.symbol == last.meaning, GiNaC::subs_options::no_pattern));
+        difference = in_cosines(letters_.without(difference, *inside.rbegin()));
     }
 }
 
 bool SumBySum::proven_equal(const ex& other, const ex& derived) {
+    if (other.is_equal(derived)) return true;
     const ex meant = Writer(*this, true)(derived);
     return are_same(Writer(*this, false)(other), meant);
 }

@@ -2,10 +2,9 @@
 // Proofs for expressions with sums that are kept whole: one sum at a time.
 #pragma once
 
-#include <set>
-
 #include "prove/equivalence.hpp"
 #include "prove/fingerprint.hpp"
+#include "prove/letter_meanings.hpp"
 
 namespace dalembert {
 
@@ -25,22 +24,15 @@ public:
 private:
     using ex = GiNaC::ex;
     using Known = GiNaC::exhashmap<ex>;
-    struct Letter {
-        ex symbol;
-        ex meaning;  ///< in letters before it
-    };
     class Writer;
 
     ex letter_for(const ex& sum, bool is_derived);
-    /// Letters that only one of the sides has are written out until both have the same.
     bool are_same(ex a, ex b);
     bool is_zero_down_to_leaves(ex difference);
-    std::set<std::size_t> letters_in(const ex& e) const;
 
     Prover& prover_;
     Fingerprints print_;
-    std::vector<Letter> letters_;
-    GiNaC::exhashmap<std::size_t> places_;                     ///< of symbols of letters
+    LetterMeanings letters_;
     std::unordered_map<std::uint64_t, std::size_t> by_print_;  ///< of a sum, or of its negative where that is less
     Known derived_, other_;                                    ///< in letters
 };

@@ -5,6 +5,7 @@
 #include "symbolic/network_functions.hpp"
 #include "symbolic/scalar_functions.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace dalembert {
@@ -36,57 +37,82 @@ std::optional<Difference> difference_in(const ex& product) {
         if (is_ex_the_function(factor, whole)) sums.push_back(factor), inside.push_back(factor.op(0));
         else others.push_back(factor);
     }
-    if (sums.size() < 2) return std::nullopt;
+    constexpr std::size_t most_products = 100;  // longer ones do not multiply to two terms but for rare ones
+    std::size_t products = sums.size() < 2 ? most_products + 1 : 1;
+    for (const ex& sum : inside) products *= std::min(sum.nops() + 1, most_products + 1);
+    if (products > most_products) return std::nullopt;
     const ex multiplied = ex(GiNaC::mul(inside)).expand();
     if (!GiNaC::is_a<GiNaC::add>(multiplied) || multiplied.nops() > 2) return std::nullopt;
     return Difference{GiNaC::mul(sums), multiplied, GiNaC::mul(others)};
 }
 
+/// Sums that are kept whole, which may occur many times, are looked at once.
+template <class Rate>
+class Derivative {
+public:
+    Derivative(const Rate& rate, bool keeps) : rate_(rate), keeps_(keeps) {}
+
+    ex operator()(const ex& e) {
+        if (GiNaC::is_a<GiNaC::symbol>(e)) return rate_(e);
+        if (GiNaC::is_a<GiNaC::add>(e)) {
+            GiNaC::exvector terms;
+            for (std::size_t i = 0; i < e.nops(); ++i) {
+                const ex one = (*this)(e.op(i));
+                if (!one.is_zero()) terms.push_back(one);
+            }
+            return GiNaC::add(terms);
+        }
+        if (GiNaC::is_a<GiNaC::mul>(e)) {
+            if (const auto difference = difference_in(e)) {
+                const ex change = (*this)(difference->multiplied);
+                return (keeps_ ? whole(change) : change) * difference->others + difference->sums * (*this)(difference->others);
+            }
+            GiNaC::exvector terms;
+            for (std::size_t i = 0; i < e.nops(); ++i) {
+                const ex one = (*this)(e.op(i));
+                if (one.is_zero()) continue;
+                GiNaC::exvector factors;
+                for (std::size_t k = 0; k < e.nops(); ++k) factors.push_back(k == i ? one : e.op(k));
+                terms.push_back(GiNaC::mul(factors));
+            }
+            return GiNaC::add(terms);
+        }
+        if (GiNaC::is_a<GiNaC::power>(e)) {
+            const ex &base = e.op(0), &exponent = e.op(1);
+            ex result = 0;
+            if (const ex inner = (*this)(base); !inner.is_zero()) result += exponent * pow(base, exponent - 1) * inner;
+            if (const ex inner = (*this)(exponent); !inner.is_zero()) result += e * GiNaC::log(base) * inner;
+            return result;
+        }
+        if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
+        if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return (*this)(part); });
+        if (is_ex_the_function(e, if_else)) return if_else(e.op(0), (*this)(e.op(1)), (*this)(e.op(2)));
+        if (is_ex_the_function(e, whole)) return of_sum(e);
+        const ex first = (*this)(e.op(0));
+        if (is_ex_the_function(e, unlocated)) return first;
+        if (e.nops() == 1) return first.is_zero() ? ex(0) : function_with_slope(e).slope(e, e.op(0)) * first;
+        const ex second = (*this)(e.op(1));
+        if (is_ex_the_function(e, sum_of_three)) return first + second + (*this)(e.op(2));
+        if (first.is_zero() && second.is_zero()) return 0;
+        const auto [by_first, by_second] = function_with_slope(e).slopes(e, e.op(0), e.op(1));
+        return by_first * first + by_second * second;
+    }
+
+private:
+    ex of_sum(const ex& sum) {
+        if (const auto known = of_sums_.find(sum); known != of_sums_.end()) return known->second;
+        const ex inside = (*this)(sum.op(0));
+        return of_sums_.emplace(sum, keeps_ ? ex(whole(inside)) : inside).first->second;
+    }
+
+    const Rate& rate_;
+    bool keeps_;
+    GiNaC::exhashmap<ex> of_sums_;
+};
+
 template <class Rate>
 ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
-    if (GiNaC::is_a<GiNaC::symbol>(e)) return rate(e);
-    if (GiNaC::is_a<GiNaC::add>(e)) {
-        GiNaC::exvector terms;
-        for (std::size_t i = 0; i < e.nops(); ++i) {
-            const ex one = derivative(e.op(i), rate, keeps);
-            if (!one.is_zero()) terms.push_back(one);
-        }
-        return GiNaC::add(terms);
-    }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-        if (const auto difference = difference_in(e)) {
-            const ex change = derivative(difference->multiplied, rate, keeps);
-            return (keeps ? whole(change) : change) * difference->others + difference->sums * derivative(difference->others, rate, keeps);
-        }
-        GiNaC::exvector terms;
-        for (std::size_t i = 0; i < e.nops(); ++i) {
-            const ex one = derivative(e.op(i), rate, keeps);
-            if (one.is_zero()) continue;
-            GiNaC::exvector factors;
-            for (std::size_t k = 0; k < e.nops(); ++k) factors.push_back(k == i ? one : e.op(k));
-            terms.push_back(GiNaC::mul(factors));
-        }
-        return GiNaC::add(terms);
-    }
-    if (GiNaC::is_a<GiNaC::power>(e)) {
-        const ex &base = e.op(0), &exponent = e.op(1);
-        ex result = 0;
-        if (const ex inner = derivative(base, rate, keeps); !inner.is_zero()) result += exponent * pow(base, exponent - 1) * inner;
-        if (const ex inner = derivative(exponent, rate, keeps); !inner.is_zero()) result += e * GiNaC::log(base) * inner;
-        return result;
-    }
-    if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
-    if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return derivative(part, rate, keeps); });
-    if (is_ex_the_function(e, if_else)) return if_else(e.op(0), derivative(e.op(1), rate, keeps), derivative(e.op(2), rate, keeps));
-    const ex first = derivative(e.op(0), rate, keeps);
-    if (keeps && is_ex_the_function(e, whole)) return whole(first);
-    if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return first;
-    if (e.nops() == 1) return first.is_zero() ? ex(0) : function_with_slope(e).slope(e, e.op(0)) * first;
-    const ex second = derivative(e.op(1), rate, keeps);
-    if (is_ex_the_function(e, sum_of_three)) return first + second + derivative(e.op(2), rate, keeps);
-    if (first.is_zero() && second.is_zero()) return 0;
-    const auto [by_first, by_second] = function_with_slope(e).slopes(e, e.op(0), e.op(1));
-    return by_first * first + by_second * second;
+    return Derivative<Rate>(rate, keeps)(e);
 }
 
 }  // namespace

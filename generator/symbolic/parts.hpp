@@ -45,4 +45,15 @@ inline LettersInside letters_in(const GiNaC::ex& e) {
     return letters;
 }
 
+/// Puts expressions for letters. Sums that are kept whole, which may occur many times, are looked at once.
+class WithLetters : public GiNaC::map_function {
+public:
+    explicit WithLetters(GiNaC::exmap letters) : letters_(std::move(letters)) {}
+    GiNaC::ex operator()(const GiNaC::ex& e) override;
+
+private:
+    GiNaC::exmap letters_;
+    GiNaC::exhashmap<GiNaC::ex> sums_;
+};
+
 }  // namespace dalembert

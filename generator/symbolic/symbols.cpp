@@ -265,12 +265,13 @@ std::vector<std::size_t> Symbols::steps_in(const ex& e) const {
     std::vector<std::size_t> result;
     std::set<std::size_t> seen;
     const std::function<void(const ex&)> visit = [&](const ex& whole) {
-        for (auto part = whole.preorder_begin(); !steps_.empty() && part != whole.preorder_end(); ++part) {
-            const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
-            if (!step || !seen.insert(*step).second) continue;
+        if (steps_.empty()) return;
+        each_part_once(whole, [&](const ex& part) {
+            const auto step = GiNaC::is_a<GiNaC::symbol>(part) ? step_of(part) : std::nullopt;
+            if (!step || !seen.insert(*step).second) return;
             visit(steps_[*step].value);
             result.push_back(model_definitions() + *step);
-        }
+        });
     };
     visit(e);
     return result;
@@ -293,7 +294,7 @@ ex Symbols::without_model_definitions(const ex& e) const {
     if (expanded_definitions_.empty()) return e;
     GiNaC::exmap map;
     for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
-    return e.subs(map, GiNaC::subs_options::no_pattern);
+    return WithLetters(std::move(map))(e);
 }
 
 ex Symbols::without_definitions(const ex& e, Depth depth) const {
@@ -303,7 +304,7 @@ ex Symbols::without_definitions(const ex& e, Depth depth) const {
     each_part_once(e, [&](const ex& part) {
         if (const auto step = GiNaC::is_a<GiNaC::symbol>(part) ? step_of(part) : std::nullopt) map[part] = written_out(*step, depth);
     });
-    return e.subs(map, GiNaC::subs_options::no_pattern);
+    return WithLetters(std::move(map))(e);
 }
 
 ex Symbols::time_derivative(const ex& e) const {

@@ -170,10 +170,12 @@ GiNaC::exmap Values::substitution() const {
     return map;
 }
 
-FloatPoint::FloatPoint(const GiNaC::exmap& constants, int digits) : digits_(digits) {
+FloatPoint::FloatPoint(const GiNaC::exmap& constants, int digits) : floats_({}), digits_(digits) {
     GiNaC::Digits = digits_ + guard_digits;
     try {
-        for (const auto& [letter, value] : constants) floats_[letter] = value.evalf();
+        GiNaC::exmap floats;
+        for (const auto& [letter, value] : constants) floats[letter] = value.evalf();
+        floats_ = WithLetters(std::move(floats));
     } catch (const std::exception&) {
         has_value_ = false;
     }
@@ -183,7 +185,7 @@ std::optional<cln::cl_R> FloatPoint::value(const ex& e) const {
     if (!has_value_) return std::nullopt;
     GiNaC::Digits = digits_ + guard_digits;
     try {
-        const ex value = e.subs(floats_, GiNaC::subs_options::no_pattern).evalf();
+        const ex value = floats_(e).evalf();
         if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
         const numeric& number = ex_to<numeric>(value);
         if (!number.is_real()) return std::nullopt;

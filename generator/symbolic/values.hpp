@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "symbolic/parts.hpp"
 #include "symbolic/translate.hpp"
 #include "text/diagnostic.hpp"
 
@@ -71,7 +72,7 @@ public:
     std::optional<cln::cl_R> value(const GiNaC::ex& e) const;
 
 private:
-    GiNaC::exmap floats_;
+    mutable WithLetters floats_;
     int digits_;
     bool has_value_ = true;
 };

@@ -42,7 +42,8 @@ TEST_CASE("operations of a chain grow with its links") {
 
 TEST_CASE("chains and trees in the plane and in space are proven") {
     for (const auto& [name, sizes] :
-         std::vector<std::pair<std::string, std::map<std::string, int>>>{{"rods", {{"N", 4}}}, {"two_arms", {}}, {"free_base", {}}}) {
+         std::vector<std::pair<std::string, std::map<std::string, int>>>{
+             {"rods", {{"N", 4}}}, {"two_arms", {}}, {"free_base", {}}, {"leg", {}}}) {
         CAPTURE(name);
         const Machine machine = chain_of(name, sizes);
         REQUIRE(machine.system->chain);
