@@ -32,26 +32,26 @@ std::uint64_t next_word(std::uint64_t& state) {
 }
 
 std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Point& point, int digits) {
-    return values_at({e}, symbols, point, digits).front();
+    return ValuesAtPoint(symbols, point, digits)(e);
 }
 
-std::vector<std::optional<cln::cl_R>> values_at(const std::vector<ex>& expressions, const Symbols& symbols, const Point& point,
-                                                int digits) {
+ValuesAtPoint::ValuesAtPoint(const Symbols& symbols, const Point& point, int digits) : symbols_(symbols), digits_(digits) {
     const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
-    GiNaC::exmap constants;
-    for (const auto& [letter, value] : point) constants[letter] = numeric(cln::cl_float(value, precision));
+    for (const auto& [letter, value] : point) constants_[letter] = numeric(cln::cl_float(value, precision));
+}
+
+std::optional<cln::cl_R> ValuesAtPoint::operator()(const ex& e) {
     // Steps one after the other: written out they may be too large. Without a value they stay letters.
-    for (const ex& e : expressions)
-        for (const std::size_t step : symbols.steps_in(e)) {
-            const ex& letter = symbols.get(SymbolKind::definition, step);
-            if (constants.contains(letter)) continue;
-            const auto value = value_at(symbols.without_model_definitions(symbols.definition_values()[step]), constants, digits);
-            if (value) constants[letter] = numeric(*value);
-        }
-    const FloatPoint at(constants, digits);
-    std::vector<std::optional<cln::cl_R>> result;
-    for (const ex& e : expressions) result.push_back(at.value(symbols.without_model_definitions(e)));
-    return result;
+    for (const std::size_t step : symbols_.steps_in(e)) {
+        const ex& letter = symbols_.get(SymbolKind::definition, step);
+        if (constants_.contains(letter)) continue;
+        const auto value = value_at(symbols_.without_model_definitions(symbols_.definition_values()[step]), constants_, digits_);
+        if (!value) continue;
+        constants_[letter] = numeric(*value);
+        at_.reset();
+    }
+    if (!at_) at_.emplace(constants_, digits_);
+    return at_->value(symbols_.without_model_definitions(e));
 }
 
 RandomPoints::RandomPoints(const System& system) {
@@ -196,10 +196,12 @@ Point RandomPoints::next_wide() {
     return point;
 }
 
+constexpr std::array digits_of_signs{60, 120, 180};
+
 Sign sign_at(const ValueAt& value) {
-    const auto coarse = value(60);
-    const auto fine = value(120);
-    const auto finest = value(180);
+    const auto coarse = value(digits_of_signs[0]);
+    const auto fine = value(digits_of_signs[1]);
+    const auto finest = value(digits_of_signs[2]);
     if (!coarse || !fine || !finest) return Sign::none;
     if (cln::zerop(*finest)) return Sign::zero;
     // A value that shrinks when more digits are used is nothing but rounding.
@@ -216,10 +218,14 @@ Sign ZeroAtPoints::sign(const ex& e) {
     constexpr int tries = 3;
     if (points_.empty()) {
         RandomPoints random(system_);
-        for (int i = 0; i < tries; ++i) points_.push_back(random.next());
+        for (int i = 0; i < tries; ++i) {
+            const Point point = random.next();
+            std::map<int, ValuesAtPoint>& by_digits = points_.emplace_back();
+            for (const int digits : digits_of_signs) by_digits.emplace(digits, ValuesAtPoint(system_.symbols, point, digits));
+        }
     }
-    for (const Point& point : points_) {
-        const Sign here = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
+    for (auto& by_digits : points_) {
+        const Sign here = sign_at([&](int digits) { return by_digits.at(digits)(e); });
         if (here != Sign::none) known->second = here;
         if (here == Sign::not_zero) break;
     }

@@ -55,9 +55,19 @@ private:
 
 /// The value computed with so many digits; nothing where it does not exist or is not real.
 std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const Symbols& symbols, const Point& point, int digits);
-/// Of several: what they have in common is computed once.
-std::vector<std::optional<cln::cl_R>> values_at(const std::vector<GiNaC::ex>& expressions, const Symbols& symbols, const Point& point,
-                                                int digits);
+
+/// Of several expressions: what they have in common is computed once.
+class ValuesAtPoint {
+public:
+    ValuesAtPoint(const Symbols& symbols, const Point& point, int digits);
+    std::optional<cln::cl_R> operator()(const GiNaC::ex& e);
+
+private:
+    const Symbols& symbols_;
+    GiNaC::exmap constants_;
+    int digits_;
+    std::optional<FloatPoint> at_;
+};
 
 enum class Sign { none, zero, not_zero };
 
@@ -81,7 +91,7 @@ private:
     Sign sign(const GiNaC::ex& e);
 
     const System& system_;
-    std::vector<Point> points_;
+    std::vector<std::map<int, ValuesAtPoint>> points_;  ///< by digits
     std::map<GiNaC::ex, Sign, GiNaC::ex_is_less> known_;
 };
 

@@ -253,19 +253,16 @@ std::optional<std::size_t> singular_coordinate(const System& system) {
     const std::size_t n = system.symbols.degrees();
     RandomPoints points(system);
     const GiNaC::matrix metric = system.metric();
-    std::vector<ex> entries;  // of the lower triangle
-    for (unsigned j = 0; j < n; ++j)
-        for (unsigned l = 0; l <= j; ++l) entries.push_back(metric(j, l));
     std::optional<std::size_t> culprit;
     for (int attempt = 0; attempt < tries; ++attempt) {
         const Point point = points.next();
         std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n));
-        const auto values = values_at(entries, system.symbols, point, 60);
-        auto value = values.begin();
+        ValuesAtPoint value_of(system.symbols, point, 60);
         for (std::size_t j = 0; j < n; ++j)
-            for (std::size_t l = 0; l <= j; ++l, ++value) {
-                if (!*value) return std::nullopt;
-                m[j][l] = m[l][j] = **value;
+            for (std::size_t l = 0; l <= j; ++l) {
+                const auto value = value_of(metric(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+                if (!value) return std::nullopt;
+                m[j][l] = m[l][j] = *value;
             }
         std::vector<cln::cl_R> diagonal;
         for (std::size_t k = 0; k < n; ++k) diagonal.push_back(m[k][k]);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/parts.hpp"
 
-#include "symbolic/functions.hpp"
-
 namespace dalembert {
 
 using GiNaC::ex;
@@ -13,9 +11,9 @@ ex WithLetters::operator()(const ex& e) {
         return letter == letters_.end() ? e : letter->second;
     }
     if (e.nops() == 0) return e;
-    if (!is_ex_the_function(e, whole)) return e.map(*this);
-    if (const auto known = sums_.find(e); known != sums_.end()) return known->second;
-    return sums_.emplace(e, e.map(*this)).first->second;
+    if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
+    if (const auto known = known_.find(e); known != known_.end()) return known->second;
+    return known_.emplace(e, e.map(*this)).first->second;
 }
 
 }  // namespace dalembert

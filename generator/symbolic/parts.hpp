@@ -45,7 +45,7 @@ inline LettersInside letters_in(const GiNaC::ex& e) {
     return letters;
 }
 
-/// Puts expressions for letters. Sums that are kept whole, which may occur many times, are looked at once.
+/// Puts expressions for letters. Functions, sums that are kept whole among them, may occur many times, and are looked at once.
 class WithLetters : public GiNaC::map_function {
 public:
     explicit WithLetters(GiNaC::exmap letters) : letters_(std::move(letters)) {}
@@ -53,7 +53,7 @@ public:
 
 private:
     GiNaC::exmap letters_;
-    GiNaC::exhashmap<GiNaC::ex> sums_;
+    GiNaC::exhashmap<GiNaC::ex> known_;
 };
 
 }  // namespace dalembert

@@ -108,7 +108,8 @@ TEST_CASE("M and forces of composite bodies are sums over bodies") {
         }
         RandomPoints points(system);
         for (int k = 0; k < 3; ++k)
-            for (const auto& value : values_at(differences, system.symbols, points.next(), 60)) {
+            for (ValuesAtPoint value_of(system.symbols, points.next(), 60); const GiNaC::ex& difference : differences) {
+                const auto value = value_of(difference);
                 REQUIRE(value);
                 CHECK(cln::abs(*value) < cln::expt(cln::cl_RA(10), -50));
             }
