@@ -9,9 +9,6 @@ using GiNaC::ex;
 
 namespace {
 
-SpaceVector angular(const Twist& twist) { return {twist[0], twist[1], twist[2]}; }
-SpaceVector linear(const Twist& twist) { return {twist[3], twist[4], twist[5]}; }
-Twist joined(const SpaceVector& a, const SpaceVector& b) { return {a[0], a[1], a[2], b[0], b[1], b[2]}; }
 using dalembert::kept;
 Twist kept(const Twist& twist) { return joined(kept(angular(twist)), kept(linear(twist))); }
 ex kept(const ex& e) { return kept(SpaceVector{e, 0, 0})[0]; }
@@ -133,7 +130,7 @@ std::optional<CompositeMotion> composite_motion(const Chain& chain, const std::v
         std::vector<Twist>& own = directions.emplace_back();
         for (const Twist& direction : link.directions) own.push_back(kept(direction));
     }
-    const SpaceVector pull{-chain.ground[3], -chain.ground[4], -chain.ground[5]};
+    const SpaceVector pull = SpaceVector{0, 0, 0} - linear(chain.ground);
     for (std::size_t b = chain.links.size(); b-- > 0;) {
         const ChainLink& link = chain.links[b];
         composites[b] = kept(composites[b]);

@@ -16,10 +16,7 @@ using GiNaC::ex;
 
 namespace {
 
-constexpr std::size_t angular = 0, linear = 3;
-
-SpaceVector part(const Twist& twist, std::size_t first) { return {twist[first], twist[first + 1], twist[first + 2]}; }
-Twist joined(const SpaceVector& a, const SpaceVector& b) { return {a[0], a[1], a[2], b[0], b[1], b[2]}; }
+constexpr std::size_t first_linear = 3;
 
 /// What a body is placed on, in letters.
 struct Base {
@@ -51,7 +48,7 @@ public:
         if (std::find(taken_.begin(), taken_.end(), false) != taken_.end()) return std::nullopt;
         if (scene_.gravity != nullptr) {
             const SpaceVector acceleration = translate_(scene_.gravity->acceleration, {});
-            for (std::size_t i = 0; i < 3; ++i) chain_.ground[linear + i] = -acceleration[i];
+            for (std::size_t i = 0; i < 3; ++i) chain_.ground[first_linear + i] = -acceleration[i];
         }
         return std::move(chain_);
     }
@@ -169,10 +166,10 @@ private:
         }
         // What has no place is at the origin.
         velocity =
-            joined(omega, part(on.twist, linear) + SpaceVector{moved(position[0], on), moved(position[1], on), moved(position[2], on)});
+            joined(omega, linear(on.twist) + SpaceVector{moved(position[0], on), moved(position[1], on), moved(position[2], on)});
         link.inertia.fill({0, 0, 0, 0, 0, 0});
         link.inertia[2][2] = body.inertia;
-        for (std::size_t k = linear; body.has_position && k < 6; ++k) link.inertia[k][k] = body.mass;
+        for (std::size_t k = first_linear; body.has_position && k < 6; ++k) link.inertia[k][k] = body.mass;
         link.force.fill(0);
         return true;
     }
@@ -189,7 +186,7 @@ private:
         for (const SpaceVector& row : frame.axes) placement.insert(placement.end(), row.begin(), row.end());
         const Symbols::AttitudeSymbols* attitude = attitude_of(body);
         if (!take_coordinates(placement, attitude, link.coordinates)) return false;
-        SpaceVector base_omega = part(on.twist, angular), base_velocity = part(on.twist, linear);
+        SpaceVector base_omega = angular(on.twist), base_velocity = linear(on.twist);
         if (on.turns_in_plane)
             base_velocity = {on.cos * base_velocity[0] + on.sin * base_velocity[1], on.cos * base_velocity[1] - on.sin * base_velocity[0],
                              base_velocity[2]};
@@ -198,7 +195,7 @@ private:
         const SpaceVector omega = own_turning(frame, attitude) + into * base_omega;
         velocity = joined(omega, into * (base_velocity + cross(base_omega, frame.origin) + time_derivative(frame.origin, symbols_)));
 
-        const SpaceVector w = part(own.twist, angular), v = part(own.twist, linear);
+        const SpaceVector w = angular(own.twist), v = linear(own.twist);
         const ex& m = body.mass;
         const SpaceVector c = centre;
         for (std::size_t r = 0; r < 3; ++r)
@@ -206,9 +203,9 @@ private:
                 SpaceVector unit{0, 0, 0};
                 unit[k] = 1;
                 link.inertia[r][k] = body.tensor[r][k] + m * cross(c, cross(unit, c))[r];
-                link.inertia[r][linear + k] = m * cross(c, unit)[r];
-                link.inertia[linear + r][k] = m * cross(unit, c)[r];
-                link.inertia[linear + r][linear + k] = r == k ? m : ex(0);
+                link.inertia[r][first_linear + k] = m * cross(c, unit)[r];
+                link.inertia[first_linear + r][k] = m * cross(unit, c)[r];
+                link.inertia[first_linear + r][first_linear + k] = r == k ? m : ex(0);
             }
         const SpaceVector push = m * cross(w, v + cross(w, c));
         link.force = joined(cross(w, body.tensor * w) + cross(c, push), push);

@@ -23,10 +23,6 @@ Twist letters(const char* name) {
     return result;
 }
 
-SpaceVector angular(const Twist& twist) { return {twist[0], twist[1], twist[2]}; }
-SpaceVector linear(const Twist& twist) { return {twist[3], twist[4], twist[5]}; }
-Twist joined(const SpaceVector& a, const SpaceVector& b) { return {a[0], a[1], a[2], b[0], b[1], b[2]}; }
-
 /// K(a, w) in axes of a body.
 Twist turning(const Twist& a, const Twist& w) {
     return joined(cross(angular(a), angular(w)), cross(angular(a), linear(w)) - cross(angular(w), linear(a)));
