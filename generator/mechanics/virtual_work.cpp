@@ -4,10 +4,10 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "elements/model.hpp"
-#include "mechanics/body_letters.hpp"
 #include "mechanics/forces.hpp"
 #include "symbolic/curve_dissipation.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/parts.hpp"
 #include "symbolic/ranges.hpp"
 #include "text/diagnostic.hpp"
 
@@ -16,9 +16,13 @@ namespace dalembert {
 using GiNaC::ex;
 
 Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
-    Supply result{std::move(name), slopes_of_power(force, velocity, symbols), dot(force, velocity), 0};
+    Supply result{std::move(name), {}, dot(force, velocity), 0};
     GiNaC::exmap still;
-    for (const Variable& qd : symbols.all(SymbolKind::velocity)) still[qd.symbol] = 0;
+    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
+        const ex& qd = symbols.get(SymbolKind::velocity, j);
+        result.force.push_back(dot(force, partial(velocity, qd)));
+        still[qd] = 0;
+    }
     result.prescribed = -WithLetters(std::move(still))(result.power);
     return result;
 }

@@ -167,7 +167,7 @@ bool power_follows(const Supply& supply, DegreeInVelocities& degree, const Symbo
     const LettersInside inside = letters_in(supply.power);
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
         const ex& qd = symbols.get(SymbolKind::velocity, j);
-        if (!supply.force[j].is_equal(inside.contains(qd) ? partial_of_kept(supply.power, qd) : ex(0))) return false;
+        if (!supply.force[j].is_equal(inside.contains(qd) ? partial(supply.power, qd) : ex(0))) return false;
     }
     return true;
 }
