@@ -6,6 +6,7 @@
 #include "graph/verification.hpp"
 #include "graph/verify_chain.hpp"
 #include "graph/verify_operations.hpp"
+#include "prove/composite_proof.hpp"
 
 namespace dalembert {
 
@@ -111,7 +112,8 @@ const Comparison& Verification::equations_of_links() {
         Comparison result = prover_.equal(meant, derived);
         if (is_worse(result.verdict, of_links_->verdict)) of_links_ = std::move(result);
     };
-    const MeantMotion meant = system_.composites ? meant_motion(*system_.chain, *system_.composites) : meant_motion(*system_.chain);
+    const bool by_composites = system_.composites && composites_stand_for_links(system_, prover_);
+    const MeantMotion meant = by_composites ? meant_motion(*system_.chain, *system_.composites) : meant_motion(*system_.chain);
     for (unsigned i = 0; i < meant.force.size(); ++i) {
         for (unsigned j = 0; j < meant.force.size(); ++j) compare(meant.mass[i][j], system_.motion.matrix(i, j));
         compare(meant.force[i], system_.motion.force[i]);

@@ -43,6 +43,9 @@ struct Supply {
     GiNaC::ex prescribed;
 };
 
+/// F.dv/dqd_j of each coordinate, with F and v in the same axes; slopes of sums that are kept whole are kept, too.
+Generalised slopes_of_power(const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols);
+
 /// Q_j = F.dv/dqd_j with F and v in the same axes: a force with the velocity of its point, or a torque with an angular velocity.
 Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols);
 

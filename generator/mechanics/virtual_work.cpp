@@ -15,6 +15,14 @@ namespace dalembert {
 
 using GiNaC::ex;
 
+Generalised slopes_of_power(const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
+    const LettersInside moving = letters_in(GiNaC::lst{velocity[0], velocity[1], velocity[2]});
+    Generalised result;
+    for (const Variable& qd : symbols.all(SymbolKind::velocity))
+        result.push_back(moving.contains(qd.symbol) ? dot(force, partial_of_kept(velocity, qd.symbol)) : ex(0));
+    return result;
+}
+
 Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
     Supply result{std::move(name), {}, dot(force, velocity), 0};
     GiNaC::exmap still;

@@ -33,7 +33,8 @@ public:
 
 private:
     bool is_of_theorem(const Potential& gravity) const;
-    bool stands_in_plane(const Chain& chain, std::size_t body) const;
+    const ChainLink& link_of(std::size_t body) const;
+    bool stands_in_plane(std::size_t body) const;
 
     const System& system_;
     std::vector<bool> gravity_is_proven_;  ///< by potential

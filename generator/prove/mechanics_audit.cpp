@@ -89,9 +89,9 @@ std::vector<AuditEntry> compare_potentials(const System& system, const BodyByBod
     return entries;
 }
 
-/// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion: the two sides differ by sum of residual times
-/// velocity, of what constraints leave free, and by sum of multiplier times rate, of what constraints hold at zero. E is that of the media,
-/// its change by the chain rule.
+/// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion. The two sides differ by sums that are zero there:
+/// residual times velocity of each coordinate that constraints leave free, and multiplier times rate of each constraint. E is the energy
+/// of the media; its change follows by the chain rule.
 AuditEntry balance_power(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
     GiNaC::exvector change;

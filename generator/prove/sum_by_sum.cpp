@@ -34,7 +34,7 @@ double terms_multiplied_out(const ex& e) {
     return std::pow(terms_multiplied_out(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_double());
 }
 
-/// Whole powers of what is in a term.
+/// The factors of a term with their exponents.
 GiNaC::exmap powers_in(const ex& term) {
     GiNaC::exmap result;
     const auto add = [&](const ex& factor) {
@@ -47,7 +47,7 @@ GiNaC::exmap powers_in(const ex& term) {
     return result;
 }
 
-/// A sum as a product of what all its terms have in common and of what is left, multiplied out. Code has what is left in its place.
+/// A sum as a product: the factor that all its terms share, and the rest, multiplied out. Code contains the rest as a sum of its own.
 std::pair<ex, ex> without_common_factors(const ex& sum) {
     constexpr double most_terms = 400;
     if (terms_multiplied_out(sum) > most_terms) return {1, sum};

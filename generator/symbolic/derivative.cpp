@@ -37,9 +37,10 @@ std::optional<Difference> difference_in(const ex& product) {
         if (is_ex_the_function(factor, whole)) sums.push_back(factor), inside.push_back(factor.op(0));
         else others.push_back(factor);
     }
-    constexpr std::size_t most_products = 100;  // longer ones do not multiply to two terms but for rare ones
-    std::size_t products = sums.size() < 2 ? most_products + 1 : 1;
-    for (const ex& sum : inside) products *= std::min(sum.nops() + 1, most_products + 1);
+    if (sums.size() < 2) return std::nullopt;
+    constexpr std::size_t most_products = 100;  // of longer sums hardly ever two terms are left
+    std::size_t products = 1;
+    for (const ex& sum : inside) products *= std::max<std::size_t>(sum.nops(), 1);
     if (products > most_products) return std::nullopt;
     const ex multiplied = ex(GiNaC::mul(inside)).expand();
     if (!GiNaC::is_a<GiNaC::add>(multiplied) || multiplied.nops() > 2) return std::nullopt;

@@ -45,10 +45,11 @@ inline LettersInside letters_in(const GiNaC::ex& e) {
     return letters;
 }
 
-/// Puts expressions for letters. Functions, sums that are kept whole among them, may occur many times, and are looked at once.
+/// Puts expressions for letters, which are symbols. Functions, sums that are kept whole among them, may occur many times, and are looked
+/// at once.
 class WithLetters : public GiNaC::map_function {
 public:
-    explicit WithLetters(GiNaC::exmap letters) : letters_(std::move(letters)) {}
+    explicit WithLetters(GiNaC::exmap letters);
     GiNaC::ex operator()(const GiNaC::ex& e) override;
 
 private:

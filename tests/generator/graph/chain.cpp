@@ -117,6 +117,17 @@ TEST_CASE("what is wrong in the slopes of a link is seen in the letters of the l
     }
 }
 
+TEST_CASE("composite bodies that are not those of the links prove no code") {
+    const Machine machine = chain_of("leg");
+    System& system = *machine.system;
+    REQUIRE(system.composites);
+    CHECK(worst_of(*body_to_body(system)) == Verdict::proven);
+    GiNaC::ex& transfer = system.chain->links.back().transfer[3][3];
+    REQUIRE_FALSE(transfer.is_zero());
+    transfer *= 2;
+    CHECK(worst_of(*body_to_body(system)) == Verdict::wrong);
+}
+
 TEST_CASE("bodies that are not placed on each other, or share a coordinate, are no chain") {
     const auto has_chain = [](const std::string& bodies) { return machine_from(six_coordinates + bodies).system->chain.has_value(); };
     CHECK(has_chain("[bodies.block]\nfor = \"k = 1..6\"\non = \"block[k-1]\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n"));
