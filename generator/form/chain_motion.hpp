@@ -6,11 +6,6 @@
 
 namespace dalembert {
 
-GiNaC::ex inner_product(const Twist& a, const Twist& b);
-Twist image_under(const TwistMatrix& m, const Twist& v);
-Twist image_under_transposed(const TwistMatrix& m, const Twist& v);
-Twist twist_sum(const Twist& a, const Twist& b);
-
 /// M and Q - bias that the equations of the links stand for, with J of each link from recursion and its sums kept whole:
 /// M = sum of J'*inertia*J and Q - bias = rest - sum of J'*(inertia*(acceleration without qdd) + force).
 struct MeantMotion {

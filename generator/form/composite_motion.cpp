@@ -10,7 +10,6 @@ using GiNaC::ex;
 namespace {
 
 using dalembert::kept;
-Twist kept(const Twist& twist) { return joined(kept(angular(twist)), kept(linear(twist))); }
 ex kept(const ex& e) { return kept(SpaceVector{e, 0, 0})[0]; }
 
 RigidBody kept(RigidBody body) {
@@ -104,11 +103,6 @@ RigidBody seen_from_base(const RigidBody& body, const Frame& placed) {
             result.tensor[i][k] = result.tensor[k][i] = dot(half[i], placed.axes[k]) + (i == k ? square : ex(0)) - r[i] * moment[k] -
                                                         moment[i] * r[k] - body.mass * r[i] * r[k];
     return result;
-}
-
-Twist on_base(const Twist& force, const Frame& placed) {
-    const SpaceVector push = kept(placed.axes * linear(force));
-    return joined(kept(placed.axes * angular(force) + cross(placed.origin, push)), push);
 }
 
 std::optional<CompositeMotion> composite_motion(const Chain& chain, const std::vector<BodyMotion>& bodies, const Symbols& symbols) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "form/chain_motion.hpp"
+#include "mechanics/wrench.hpp"
 
 namespace dalembert {
 
@@ -19,8 +20,6 @@ struct RigidBody {
 TwistMatrix matrix_of(const RigidBody& body);
 /// About the point and in the axes that `placed` is given in. Sums that are used more than once are kept whole.
 RigidBody seen_from_base(const RigidBody& body, const Frame& placed);
-/// A moment and a force, there.
-Twist on_base(const Twist& force, const Frame& placed);
 
 struct CompositeMotion {
     GiNaC::matrix mass;

@@ -97,7 +97,7 @@ void inertia(System& system) {
 void forces(System& system) {
     const std::size_t n = system.symbols.degrees();
     system.potentials = potentials(system.scene, system.translate, system.symbols, system.bodies);
-    system.supplies = supplies(system.scene, system.translate, system.bodies);
+    system.supplies = supplies(system.scene, system.translate, system.bodies, system.composites ? &*system.chain : nullptr);
     system.ejections = ejections(system.scene, system.translate, system.bodies);
     for (const Ejection& ejection : system.ejections) system.supplies.push_back(ejection.supply);
 

@@ -123,7 +123,7 @@ const Comparison& Verification::equations_of_links() {
 
 LinkProof Verification::link_proof(Function function) {
     const std::string name = std::string("emitted = derived, ") + name_of(function);
-    LinkProof proof(code_[function], system_, raiser(code_[function]), prover_,
+    LinkProof proof(code_[function], code_, cached_, prover_, by_sums_,
                     [=, this](const Prover::Evaluation& evaluate, const ex& emitted, const ex& derived) {
                         if (entry(name).result.verdict == Verdict::wrong) return;  // nothing gets worse
                         Comparison result = prover_.compare_at_points(evaluate, emitted, derived);

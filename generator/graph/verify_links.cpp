@@ -28,12 +28,15 @@ private:
 
 }  // namespace
 
-LinkProof::LinkProof(const FunctionCode& f, const System& system, Raiser plain, Prover& prover, ComparisonAtPoints compare)
+LinkProof::LinkProof(const FunctionCode& f, const Code& code, CachedMeaning cached, Prover& prover, SumBySum& by_sums,
+                     ComparisonAtPoints compare)
     : f_(f),
-      system_(system),
-      chain_(*system.chain),
-      raise_(std::move(plain)),
+      system_(code.system),
+      chain_(*code.system.chain),
+      raise_(f.program, code.atoms, cached),
+      kept_(f.program, code.atoms, std::move(cached), Raiser::Sums::kept_whole),
       prover_(prover),
+      by_sums_(by_sums),
       compare_(std::move(compare)),
       on_(chain_.links.size()) {
     for (std::size_t b = 0; b < chain_.links.size(); ++b)
@@ -59,6 +62,11 @@ std::vector<NodeId> LinkProof::parts(std::size_t b) const {
     return all;
 }
 
+void LinkProof::define(NodeId id, const ex& letter) {
+    raise_.define(id, letter);
+    kept_.define(id, letter);
+}
+
 ex LinkProof::stand_in(NodeId id, const ex& letter) {
     if (const auto negated = negated_by(id)) {  // signs are taken out of factors
         const ex opposite = GiNaC::realsymbol("-" + GiNaC::ex_to<GiNaC::symbol>(letter).get_name());
@@ -69,19 +77,20 @@ ex LinkProof::stand_in(NodeId id, const ex& letter) {
         if (!value.is_equal(letter)) stands_for_[letter] = value;
         return value;
     }
-    raise_.define(id, letter);
+    define(id, letter);
     meaning_.add(letter, value);
     return letter;
 }
 
-Twist LinkProof::stand_in(const SixNodes& nodes, const char* name) {
+Twist LinkProof::stand_in(const SixNodes& nodes, const std::string& name) {
     Twist result;
     for (std::size_t r = 0; r < 6; ++r) result[r] = stand_in(nodes[r], GiNaC::realsymbol(fmt::format("{}[{}]", name, r)));
     return result;
 }
 
 void LinkProof::same(NodeId emitted, const ex& derived) {
-    const ex meant = derived.subs(stands_for_, GiNaC::subs_options::no_pattern);
+    const ex meant = WithLetters(stands_for_)(derived);
+    if (SumBySum::has_sums(meant) && by_sums_.proven_equal(kept_(emitted), meant)) return;
     const ex raised = raise_(emitted);
     if (is_same(raised, meant)) return;
     compare_([this](const ex& e, const Point& point, int digits) { return value(e, point, digits); }, raised, meant);
@@ -160,7 +169,7 @@ void LinkProof::links() {
 void LinkProof::columns(const ChainSlopes<ex>& slopes, By by) {
     for (std::size_t c = 0; c < column_count(system_.symbols, by); ++c) {
         in_column_.push_back(GiNaC::realsymbol(fmt::format("column {}", c)));
-        if (const auto node = f_.program.find(Op::in_column, static_cast<long>(c))) raise_.define(*node, in_column_.back());
+        if (const auto node = f_.program.find(Op::in_column, static_cast<long>(c))) define(*node, in_column_.back());
     }
     std::map<NodeId, ex> letters;
     for (std::size_t j = 0; j < chain_.rest.size(); ++j) {
@@ -175,7 +184,7 @@ void LinkProof::columns(const ChainSlopes<ex>& slopes, By by) {
         }
         // What it was solved to be is not raised: it is long. Two coordinates may have the same.
         const auto [known, is_new] = letters.emplace(solved, negated ? ex(-letter) : letter);
-        raise_.define(solved, known->second);
+        define(solved, known->second);
         if (is_new) solved_.push_back(letter);
         else accelerations_.back() = stands_for_[letter] = negated ? ex(-known->second) : known->second;
     }
@@ -217,7 +226,7 @@ void LinkProof::acceleration(std::size_t b) {
         meant[r] = rate.sum();
     }
     same(f_.loop->twists[b], meant);
-    twists_.push_back(stand_in(f_.loop->twists[b], "acceleration"));
+    twists_.push_back(stand_in(f_.loop->twists[b], fmt::format("acceleration of {}", b)));
 }
 
 void LinkProof::needed(std::size_t b) {
@@ -231,7 +240,7 @@ void LinkProof::needed(std::size_t b) {
         meant[r] = force.sum();
     }
     same(f_.loop->needed[b], meant);
-    needed_[b] = stand_in(f_.loop->needed[b], "force");
+    needed_[b] = stand_in(f_.loop->needed[b], fmt::format("force of {}", b));
 }
 
 std::vector<LinkProof::Change> LinkProof::changes_of_parts(std::size_t b, const LinkSlopes<ex>& slopes, By by) const {

@@ -15,7 +15,7 @@
 #include "form/chain_slopes.hpp"
 #include "graph/raise.hpp"
 #include "prove/equivalence.hpp"
-#include "prove/letter_meanings.hpp"
+#include "prove/sum_by_sum.hpp"
 
 namespace dalembert {
 
@@ -24,8 +24,7 @@ using ComparisonAtPoints = std::function<void(const Prover::Evaluation& evaluate
 
 class LinkProof {
 public:
-    /// `plain` raises the function's program, and has raised nothing yet.
-    LinkProof(const FunctionCode& f, const System& system, Raiser plain, Prover& prover, ComparisonAtPoints compare);
+    LinkProof(const FunctionCode& f, const Code& code, CachedMeaning cached, Prover& prover, SumBySum& by_sums, ComparisonAtPoints compare);
 
     /// Letters, parts and loads.
     void links();
@@ -36,9 +35,10 @@ private:
     using ex = GiNaC::ex;
 
     std::optional<NodeId> negated_by(NodeId id) const;
+    void define(NodeId id, const ex& letter);
     /// Takes a node for a letter from here on; what is a number or a letter already stays that.
     ex stand_in(NodeId id, const ex& letter);
-    Twist stand_in(const SixNodes& nodes, const char* name);
+    Twist stand_in(const SixNodes& nodes, const std::string& name);
     void same(NodeId emitted, const ex& derived);
     bool is_same(const ex& raised, const ex& meant);
     void same(const SixNodes& emitted, const Twist& derived);
@@ -62,8 +62,9 @@ private:
     const FunctionCode& f_;
     const System& system_;
     const Chain& chain_;
-    Raiser raise_;
+    Raiser raise_, kept_;                          ///< kept_: with sums kept whole
     Prover& prover_;
+    SumBySum& by_sums_;
     ComparisonAtPoints compare_;
     std::vector<std::vector<std::size_t>> on_;     ///< links that are placed on a link
     GiNaC::exmap stands_for_;                      ///< letters of the derivation, and what code has in their place

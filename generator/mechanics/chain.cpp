@@ -176,8 +176,7 @@ private:
 
     bool add_in_space(ChainLink& link, const BodyMotion& body, const Base& on, const Base& own, Twist& velocity) {
         const Frame& frame = *body.frame;
-        const Body& item = *body.member.item;
-        const SpaceVector centre = item.centre ? translate_(*item.centre, Translator::indices_of(body.member)) : SpaceVector{0, 0, 0};
+        const SpaceVector& centre = body.centre;
         for (std::size_t r = 0; r < 3; ++r)
             if (!symbols_.is_constant(centre[r]) || !symbols_.is_constant(body.tensor[r][0]) || !symbols_.is_constant(body.tensor[r][1]) ||
                 !symbols_.is_constant(body.tensor[r][2]))

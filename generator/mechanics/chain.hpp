@@ -5,18 +5,9 @@
 #pragma once
 
 #include "mechanics/kinematics.hpp"
+#include "mechanics/twist.hpp"
 
 namespace dalembert {
-
-/// An angular velocity and behind it the velocity of a point, or the rates of these, or a moment and a force.
-using Twist = std::array<GiNaC::ex, 6>;
-using TwistMatrix = std::array<Twist, 6>;  ///< rows
-
-inline SpaceVector angular(const Twist& twist) { return {twist[0], twist[1], twist[2]}; }
-inline SpaceVector linear(const Twist& twist) { return {twist[3], twist[4], twist[5]}; }
-inline Twist joined(const SpaceVector& angular, const SpaceVector& linear) {
-    return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
-}
 
 /// A letter, and what it stands for.
 using NamedValue = std::pair<GiNaC::ex, GiNaC::ex>;

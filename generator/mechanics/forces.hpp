@@ -3,7 +3,7 @@
 // of each other, so that Euler-Lagrange and d'Alembert can check them.
 #pragma once
 
-#include "mechanics/kinematics.hpp"
+#include "mechanics/wrench.hpp"
 
 namespace dalembert {
 
@@ -41,6 +41,7 @@ struct Supply {
     Generalised force;
     GiNaC::ex power;
     GiNaC::ex prescribed;
+    std::vector<Wrench> wrenches = {};  ///< that were handed on; empty where the force is made of slopes of velocities
 };
 
 /// F.dv/dqd_j of each coordinate, with F and v in the same axes; slopes of sums that are kept whole are kept, too.
@@ -64,7 +65,7 @@ std::vector<Potential> potentials(const Scene& scene, const Translator& translat
 std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols,
                                     const std::vector<BodyMotion>& bodies);
 
-/// Forces, torques and supplied generalised forces.
-std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies);
+/// Forces, torques and supplied generalised forces. Given a chain of composite bodies, what acts in space is handed on.
+std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies, const Chain* chain);
 
 }  // namespace dalembert

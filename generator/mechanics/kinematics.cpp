@@ -74,7 +74,7 @@ void move_in_space(BodyMotion& body, const BodyMotion* base, const Translator& t
     body.tensor = tensor_of(item, translate, indices);
     body.turns = true;
     body.has_position = true;
-    const SpaceVector centre = vector(item.centre);
+    const SpaceVector& centre = body.centre = vector(item.centre);
     const SpaceVector origin = vector(item.position ? item.position : item.origin);
     body.frame = placed(base != nullptr ? frame_of(*base, symbols) : nullptr, orientation_of(item, translate, indices), origin, symbols);
     const SpaceVector omega = as_letters(body.frame->angular_velocity, *body.frame);

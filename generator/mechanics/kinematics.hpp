@@ -23,6 +23,7 @@ struct BodyMotion {
     std::shared_ptr<const Frame> frame;
     SpaceVector own_velocity = {};   ///< of the centre of mass, in own axes; not used where `is_seen_from_ground`
     bool is_seen_from_ground = true; ///< the velocity above is as short as any
+    SpaceVector centre = {};         ///< m, of mass, in own axes
     SpaceMatrix tensor = {};         ///< kg m^2 about the centre of mass, in own axes; zero for a point mass
 
     /// dr/dq_j of the position.

@@ -23,15 +23,20 @@ Generalised slopes_of_power(const SpaceVector& force, const SpaceVector& velocit
     return result;
 }
 
-Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
-    Supply result{std::move(name), {}, dot(force, velocity), 0};
+namespace {
+
+/// Without generalised forces; what of the power is there at rest is put in by moving parts.
+Supply of_power(std::string name, const ex& power, const Symbols& symbols) {
     GiNaC::exmap still;
-    for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex& qd = symbols.get(SymbolKind::velocity, j);
-        result.force.push_back(dot(force, partial(velocity, qd)));
-        still[qd] = 0;
-    }
-    result.prescribed = -WithLetters(std::move(still))(result.power);
+    for (const Variable& qd : symbols.all(SymbolKind::velocity)) still[qd.symbol] = 0;
+    return {std::move(name), {}, power, -WithLetters(std::move(still))(power)};
+}
+
+}  // namespace
+
+Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVector& velocity, const Symbols& symbols) {
+    Supply result = of_power(std::move(name), dot(force, velocity), symbols);
+    for (const Variable& qd : symbols.all(SymbolKind::velocity)) result.force.push_back(dot(force, partial(velocity, qd.symbol)));
     return result;
 }
 
@@ -116,42 +121,80 @@ Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& p
     return result;
 }
 
-void add(Supply& to, const Supply& other, int sign) {
-    for (std::size_t j = 0; j < to.force.size(); ++j) to.force[j] += sign * other.force[j];
-    to.power += sign * other.power;
-    to.prescribed += sign * other.prescribed;
+void subtract(Supply& from, const Supply& other) {
+    for (std::size_t j = 0; j < from.force.size(); ++j) from.force[j] -= other.force[j];
+    from.power -= other.power;
+    from.prescribed -= other.prescribed;
+    for (const Wrench& wrench : other.wrenches) from.wrenches.push_back(reversed(wrench));
 }
 
-/// On bodies that turn in space. The reaction is the same vector, taken into the axes of the other body.
-Supply torque_in_space(const Member<Torque>& member, const Translator& translate, const std::vector<BodyMotion>& bodies) {
-    const Torque& torque = *member.item;
-    const Indices indices = Translator::indices_of(member);
-    const std::string name = fmt::format("torque {}", member.name());
-    const auto in_space = [&](const Reference& reference) -> const BodyMotion& {
-        const BodyMotion& body = body_of(reference, bodies, translate.scene(), indices);
+/// Supplies of what acts in space on bodies with axes of their own.
+class InSpace {
+public:
+    InSpace(const Translator& translate, const std::vector<BodyMotion>& bodies, const Chain* chain)
+        : translate_(translate), symbols_(translate.symbols()), bodies_(bodies), chain_(chain) {}
+
+    /// At the centre of mass.
+    Supply force(const Member<Force>& member, const BodyMotion& body) const {
+        const Force& item = *member.item;
+        const std::string name = fmt::format("force {}", member.name());
+        const SpaceVector given = translate_(item.force, Translator::indices_of(member));
+        if (chain_ != nullptr && !body.is_seen_from_ground) return handed(name, wrench(body, {{}, given}, item.in_axes));
+        const SpaceVector used = in_used_axes_of(body, given, item.in_axes, item.span, fmt::format("force '{}'", member.name()));
+        return along_velocity(name, used, body.used_velocity(), symbols_);
+    }
+
+    /// The reaction is the same vector, taken into the axes of the other body.
+    Supply torque(const Member<Torque>& member) const {
+        const Torque& item = *member.item;
+        const BodyMotion& body = in_space(*item.on, member);
+        const std::string name = fmt::format("torque {}", member.name());
+        const SpaceVector given = translate_(*item.vector, Translator::indices_of(member));
+        Supply result = torque_on(name, body, given, item.in_axes);
+        if (item.against)
+            subtract(result, torque_on(name, in_space(*item.against, member), item.in_axes ? body.frame->to_ground(given) : given, false));
+        return result;
+    }
+
+private:
+    const BodyMotion& in_space(const Reference& reference, const Member<Torque>& member) const {
+        const BodyMotion& body = body_of(reference, bodies_, translate_.scene(), Translator::indices_of(member));
         if (body.frame) return body;
-        throw Failure(Diagnostic{Id::wrong_type, torque.span,
+        throw Failure(Diagnostic{Id::wrong_type, member.item->span,
                                  fmt::format("torque '{}' is a vector, but body '{}' does not turn in space; give it as one expression",
                                              member.name(), body.member.name())});
-    };
-    const BodyMotion& body = in_space(*torque.on);
-    const SpaceVector given = translate(*torque.vector, indices);
-    const SpaceVector own = torque.in_axes ? given : body.frame->from_ground(given);
-    Supply result = along_velocity(name, own, body.frame->angular_velocity, translate.symbols());
-    if (torque.against) {
-        const BodyMotion& other = in_space(*torque.against);
-        add(result,
-            along_velocity(name, other.frame->from_ground(torque.in_axes ? body.frame->to_ground(given) : given),
-                           other.frame->angular_velocity, translate.symbols()),
-            -1);
     }
-    return result;
-}
+
+    Supply torque_on(const std::string& name, const BodyMotion& body, const SpaceVector& given, bool in_axes) const {
+        if (chain_ != nullptr) return handed(name, wrench(body, {given, {}}, in_axes));
+        return along_velocity(name, in_axes ? given : body.frame->from_ground(given), body.frame->angular_velocity, symbols_);
+    }
+
+    struct MomentAndForce {
+        SpaceVector moment, force;
+    };
+    Wrench wrench(const BodyMotion& body, const MomentAndForce& given, bool in_axes) const {
+        Wrench result{static_cast<std::size_t>(&body - bodies_.data())};
+        (in_axes ? result.own : result.ground) = joined(given.moment, given.force);
+        return result;
+    }
+
+    Supply handed(const std::string& name, const Wrench& wrench) const {
+        Supply result = of_power(name, power_of(wrench, bodies_), symbols_);
+        result.force = handed_on(wrench, *chain_, bodies_, symbols_.degrees());
+        result.wrenches = {wrench};
+        return result;
+    }
+
+    const Translator& translate_;
+    const Symbols& symbols_;
+    const std::vector<BodyMotion>& bodies_;
+    const Chain* chain_;
+};
 
 Supply torque_on(const Member<Torque>& member, const Translator& translate, const std::vector<BodyMotion>& bodies) {
     const Torque& torque = *member.item;
     const Indices indices = Translator::indices_of(member);
-    if (torque.vector) return torque_in_space(member, translate, bodies);
     ex rate;
     if (torque.rate) {
         rate = translate(torque.rate, indices);
@@ -199,23 +242,23 @@ std::vector<Resistance> resistances(const Scene& scene, const Translator& transl
     return result;
 }
 
-std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies) {
+std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies, const Chain* chain) {
     const Symbols& symbols = translate.symbols();
+    const InSpace in_space(translate, bodies, chain);
     std::vector<Supply> result;
     for (const auto& member : scene.forces) {
         const Force& force = *member.item;
         const Indices indices = Translator::indices_of(member);
         const BodyMotion* body = force.on ? &body_of(*force.on, bodies, scene, indices) : nullptr;
         if (force.in_axes || (body != nullptr && body->frame)) {
-            const SpaceVector own = in_used_axes_of(*body, translate(force.force, indices), force.in_axes, force.span,
-                                                    fmt::format("force '{}'", member.name()));
-            result.push_back(along_velocity(fmt::format("force {}", member.name()), own, body->used_velocity(), symbols));
+            result.push_back(in_space.force(member, *body));
             continue;
         }
         const SpaceVector point = force.at ? translate(*force.at, indices) : body_of(*force.on, bodies, scene, indices).position;
         result.push_back(force_at(fmt::format("force {}", member.name()), translate(force.force, indices), point, symbols));
     }
-    for (const auto& member : scene.torques) result.push_back(torque_on(member, translate, bodies));
+    for (const auto& member : scene.torques)
+        result.push_back(member.item->vector ? in_space.torque(member) : torque_on(member, translate, bodies));
     for (const auto& member : scene.generalised_forces) {
         if (member.item->dissipated) continue;
         const Indices indices = Translator::indices_of(member);

@@ -60,6 +60,9 @@ BodyByBody::BodyByBody(const System& system, Prover& prover)
         gravity_is_proven_[i] = p.body && is_of_theorem(p);
         if (p.body && !gravity_is_proven_[i]) are_known = are_known && !link_of(*p.body).base.has_value();
     }
+    const auto has_wrenches = [](const Supply& supply) { return !supply.wrenches.empty(); };
+    wrenches_are_proven_ = system.composites && std::any_of(system.supplies.begin(), system.supplies.end(), has_wrenches) &&
+                           wrenches_are_handed_on(system, prover);
     total_gravity_is_proven_ = are_known && system.composites && gravity_is_of_composites(system, prover);
 }
 
@@ -67,13 +70,10 @@ BodyByBody::BodyByBody(const System& system, Prover& prover)
 bool BodyByBody::is_of_theorem(const Potential& gravity) const {
     const BodyMotion& body = system_.bodies[*gravity.body];
     if (!body.frame || !body.frame->base || body.is_seen_from_ground || stands_in_plane(*gravity.body)) return false;
-    const auto translated = [&](const std::optional<VectorExpression>& v, const Indices& indices) {
-        return v ? system_.translate(*v, indices) : SpaceVector{0, 0, 0};
-    };
-    const SpaceVector acceleration = system_.translate(system_.scene.gravity->acceleration, {});
-    const SpaceVector reference = translated(system_.scene.gravity->reference, {});
-    const SpaceVector centre = translated(body.member.item->centre, Translator::indices_of(body.member));
-    const ex energy = -body.mass * dot(acceleration, body.frame->point_to_ground(centre) - reference);
+    const Gravity& field = *system_.scene.gravity;
+    const SpaceVector acceleration = system_.translate(field.acceleration, {});
+    const SpaceVector reference = field.reference ? system_.translate(*field.reference, {}) : SpaceVector{0, 0, 0};
+    const ex energy = -body.mass * dot(acceleration, body.frame->point_to_ground(body.centre) - reference);
     if (!gravity.energy.is_equal(energy)) return false;
     const SpaceVector pull = as_letters(body.frame->from_ground(acceleration), *body.frame);
     const Generalised force = slopes_of_power(pull, body.own_velocity, system_.symbols);

@@ -18,7 +18,8 @@ namespace dalembert {
 /// its axes and the point at o + A c there it is the same: by identities for any G and c. What is left at the body that a coordinate
 /// moves is the slope of where the point is. So the force is that of the energy -m*G*r.
 /// Where M and forces are made of composite bodies, any rigid body is shown to do to the twist of a base, handed on, what it does to the
-/// twist that follows from that: M is then the sum of a'*I*a over bodies, and inertial forces and gravity are the sums of theirs.
+/// twist that follows from that: M is then the sum of a'*I*a over bodies, and inertial forces and gravity are the sums of theirs. With
+/// w = X w_base + S qd the power of a moment and a force on a body is that of S'*f in its own coordinates and of f, handed on, at its base.
 class BodyByBody {
 public:
     BodyByBody(const System& system, Prover& prover);
@@ -30,6 +31,8 @@ public:
     bool gravity_is_proven(std::size_t potential) const { return gravity_is_proven_[potential]; }
     /// That gravity of composite bodies is the sum of these forces.
     bool total_gravity_is_proven() const { return total_gravity_is_proven_; }
+    /// That the power of what was handed on from body to body is that of its generalised forces.
+    bool wrenches_are_proven() const { return wrenches_are_proven_; }
 
 private:
     bool is_of_theorem(const Potential& gravity) const;
@@ -38,7 +41,7 @@ private:
 
     const System& system_;
     std::vector<bool> gravity_is_proven_;  ///< by potential
-    bool inertia_is_proven_ = false, total_gravity_is_proven_ = false;
+    bool inertia_is_proven_ = false, total_gravity_is_proven_ = false, wrenches_are_proven_ = false;
 };
 
 }  // namespace dalembert

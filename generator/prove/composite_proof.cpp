@@ -29,6 +29,28 @@ public:
         return true;
     }
 
+    /// What is given in the axes of the ground may be taken from there into those of the base.
+    bool keeps_ground(const ChainLink& link) {
+        const Frame& frame = *body_of(link).frame;
+        const Twist any = letters("moment and force");
+        const SpaceMatrix into = transposed(frame.axes);
+        const Twist on = on_base(joined(into * angular(any), into * linear(any)), frame);
+        return same(on, joined(angular(any) + cross(frame.origin, linear(any)), linear(any)));
+    }
+
+    /// Each wrench does to the twist of its body what it does, handed on, to those of its bases and to the own coordinates of all.
+    bool is_handed_on(const Supply& supply) const {
+        ex power = 0;
+        Generalised force(symbols_.degrees(), 0);
+        for (const Wrench& wrench : supply.wrenches) {
+            power += power_of(wrench, system_.bodies);
+            const Generalised one = handed_on(wrench, chain_, system_.bodies, symbols_.degrees());
+            for (std::size_t j = 0; j < one.size(); ++j) force[j] += one[j];
+        }
+        return supply.power.is_equal(power) && std::equal(force.begin(), force.end(), supply.force.begin(),
+                                                          [](const ex& a, const ex& b) { return a.is_equal(b); });
+    }
+
     /// The force of gravity is that on the body, of what stands on the ground.
     bool is_pulled(const ChainLink& link) {
         const BodyMotion& body = body_of(link);
@@ -48,7 +70,7 @@ public:
 
 private:
     SpaceVector moved_centre(const ChainLink& link, const Twist& twist) const {
-        return linear(twist) + cross(angular(twist), centre_of(body_of(link)));
+        return linear(twist) + cross(angular(twist), body_of(link).centre);
     }
 };
 
@@ -58,6 +80,14 @@ bool composites_stand_for_links(const System& system, Prover& prover) {
     CompositeProof proof(system, prover);
     return std::all_of(system.chain->links.begin(), system.chain->links.end(),
                        [&](const ChainLink& link) { return !link.base || proof.is_handed_on(link); });
+}
+
+bool wrenches_are_handed_on(const System& system, Prover& prover) {
+    CompositeProof proof(system, prover);
+    const std::vector<ChainLink>& links = system.chain->links;
+    return std::all_of(links.begin(), links.end(), [&](const ChainLink& link) { return !link.base || proof.keeps_ground(link); }) &&
+           std::all_of(system.supplies.begin(), system.supplies.end(),
+                       [&](const Supply& supply) { return supply.wrenches.empty() || proof.is_handed_on(supply); });
 }
 
 bool inertia_is_of_composites(const System& system) {

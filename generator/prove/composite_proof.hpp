@@ -9,6 +9,8 @@ namespace dalembert {
 /// That the composite bodies stand for the links of the chain: any rigid body, and any moment and force, that is handed on does to any
 /// twist of the base what it does to the twist of the link that follows from it.
 bool composites_stand_for_links(const System& system, Prover& prover);
+/// That the power of what was handed on is that of its generalised forces, where the above holds.
+bool wrenches_are_handed_on(const System& system, Prover& prover);
 /// That M and the inertial forces of the system are theirs.
 bool inertia_is_of_composites(const System& system);
 /// That gravity is the sum of the forces of gravity, where that holds and it is known what pulls at bodies that stand on others.

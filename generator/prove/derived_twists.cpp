@@ -57,7 +57,7 @@ public:
 private:
     /// That of the centre of mass, or its square where it is used as it is seen from the ground.
     bool is_used_velocity(const BodyMotion& body, const Twist& value) {
-        const SpaceVector velocity = linear(value) + cross(angular(value), centre_of(body));
+        const SpaceVector velocity = linear(value) + cross(angular(value), body.centre);
         if (body.is_seen_from_ground)
             return body.frame->base == nullptr && same(dot(body.velocity, body.velocity), dot(velocity, velocity));
         for (std::size_t k = 0; k < 3; ++k)

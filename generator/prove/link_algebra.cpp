@@ -42,9 +42,4 @@ const Twist& LinkAlgebra::direction(const ChainLink& link, std::size_t coordinat
     return link.directions.at(static_cast<std::size_t>(place));
 }
 
-SpaceVector LinkAlgebra::centre_of(const BodyMotion& body) const {
-    const Body& item = *body.member.item;
-    return item.centre ? system_.translate(*item.centre, Translator::indices_of(body.member)) : SpaceVector{0, 0, 0};
-}
-
 }  // namespace dalembert

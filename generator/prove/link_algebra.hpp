@@ -29,7 +29,6 @@ protected:
     static Twist value_of(const ChainLink& link);
     /// Of one of its own coordinates.
     static const Twist& direction(const ChainLink& link, std::size_t coordinate);
-    SpaceVector centre_of(const BodyMotion& body) const;
 
     const System& system_;
     const Symbols& symbols_;

@@ -161,7 +161,7 @@ private:
         if (!system_.kinetic[link.body].is_equal(translational_energy(body) + rotational_energy(body))) return false;
         ex energy;
         if (body.frame) {
-            const SpaceVector velocity = linear(w) + cross(angular(w), centre_of(body));
+            const SpaceVector velocity = linear(w) + cross(angular(w), body.centre);
             energy = body.mass * dot(velocity, velocity) / 2;
             if (body.has_tensor()) energy += dot(angular(w), body.tensor * angular(w)) / 2;
         } else {

@@ -174,7 +174,7 @@ bool power_follows(const Supply& supply, DegreeInVelocities& degree, const Symbo
 
 /// Where inertia was proven body by body, the power of its forces is dT/dt, and that of forces with potentials is -dV/dt but for what
 /// changes these at rest.
-Comparison balance_of_other_power(const System& system, Prover& prover) {
+Comparison balance_of_other_power(const System& system, const BodyByBody& bodies, Prover& prover) {
     const Symbols& symbols = system.symbols;
     const auto at_rest = [&](const ex& e) {
         return directional_derivative(e, [&](const ex& symbol) -> ex {
@@ -189,7 +189,8 @@ Comparison balance_of_other_power(const System& system, Prover& prover) {
     Generalised supplied = system.supplied;
     DegreeInVelocities degree(symbols);
     for (const Supply& supply : system.supplies) {
-        if (!power_follows(supply, degree, symbols)) continue;
+        const bool is_handed_on = !supply.wrenches.empty() && bodies.wrenches_are_proven();
+        if (!is_handed_on && !power_follows(supply, degree, symbols)) continue;
         power -= supply.power;
         for (std::size_t j = 0; j < symbols.degrees(); ++j) supplied[j] -= supply.force[j];
     }
@@ -207,7 +208,7 @@ void compare_mechanics(const System& system, Prover& prover, Audit& audit) {
     if (is_simple(system) && bodies.inertia_is_proven())
         if (auto derivations = derivations_of_bodies(system, audit.potentials, bodies)) {
             audit.derivations = std::move(*derivations);
-            audit.power_balance = {"power balance", balance_of_other_power(system, prover)};
+            audit.power_balance = {"power balance", balance_of_other_power(system, bodies, prover)};
             for (const AuditEntry& potential : audit.potentials)
                 if (is_worse(potential.result.verdict, audit.power_balance.result.verdict)) audit.power_balance.result = potential.result;
             return;

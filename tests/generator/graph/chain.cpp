@@ -6,6 +6,7 @@
 #include "generator/machine.hpp"
 #include "graph/verify.hpp"
 #include "graph/verify_links.hpp"
+#include "prove/audit.hpp"
 #include "tier.hpp"
 
 using namespace dalembert;
@@ -95,7 +96,8 @@ TEST_CASE("what is wrong in the slopes of a link is seen in the letters of the l
         // How many values differ, at points.
         const auto differing = [&](const ChainSlopes<GiNaC::ex>& slopes) {
             int wrong = 0;
-            LinkProof proof(f, *machine.system, Raiser(f.program, code->atoms, cached_meaning(*code)), prover,
+            SumBySum by_sums(prover, machine.system->symbols);
+            LinkProof proof(f, *code, cached_meaning(*code), prover, by_sums,
                             [&](const Prover::Evaluation& evaluate, const GiNaC::ex& emitted, const GiNaC::ex& meant) {
                                 if (++wrong == 1) CHECK(prover.compare_at_points(evaluate, emitted, meant).verdict == Verdict::wrong);
                             });
@@ -126,6 +128,25 @@ TEST_CASE("composite bodies that are not those of the links prove no code") {
     REQUIRE_FALSE(transfer.is_zero());
     transfer *= 2;
     CHECK(worst_of(*body_to_body(system)) == Verdict::wrong);
+}
+
+TEST_CASE("what acts on bodies far out is handed on, with the power that it has there") {
+    const Machine machine = chain_of("leg");
+    System& system = *machine.system;
+    std::size_t handed_on = 0;
+    Prover prover(system);
+    for (const Supply& supply : system.supplies) {
+        handed_on += supply.wrenches.size();
+        for (std::size_t j = 0; j < system.symbols.degrees(); ++j)
+            CHECK(prover.equal(supply.force[j], partial(supply.power, system.symbols.get(SymbolKind::velocity, j))).verdict ==
+                  Verdict::proven);
+    }
+    CHECK(handed_on == 5);
+    CHECK(audit(system).power_balance.result.verdict == Verdict::proven);
+    const auto jet = std::find_if(system.supplies.begin(), system.supplies.end(), [](const Supply& s) { return s.name == "force jet"; });
+    system.supplied_power += jet->power;
+    jet->power *= 2;
+    CHECK(audit(system).power_balance.result.verdict == Verdict::wrong);
 }
 
 TEST_CASE("bodies that are not placed on each other, or share a coordinate, are no chain") {

@@ -4,7 +4,9 @@
 
 #include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
+#include <map>
 #include <random>
+#include <string>
 
 #include "leg.hpp"
 
@@ -54,6 +56,21 @@ KDL::Tree tree(const Parameters& p) {
     return result;
 }
 
+/// Of a segment, in the ground.
+KDL::Rotation orientation(const KDL::Tree& tree, const KDL::JntArray& q, const char* name) {
+    KDL::Frame turned = KDL::Frame::Identity();
+    for (auto segment = tree.getSegment(name);; segment = segment->second.parent) {
+        turned = segment->second.segment.pose(q(segment->second.q_nr)) * turned;
+        if (segment->second.parent->first == "ground") return turned.M;
+    }
+}
+
+/// What holds the tree at rest needs the opposite of what moves it. Wrenches are at the origin and in the axes of their segment.
+std::map<std::string, KDL::Wrench> balancing(std::map<std::string, KDL::Wrench> acting) {
+    for (auto& [name, wrench] : acting) wrench = -wrench;
+    return acting;
+}
+
 }  // namespace
 
 TEST_CASE("a tree of bodies has the mass matrix, the bias and the forces of an independent implementation") {
@@ -81,7 +98,7 @@ TEST_CASE("a tree of bodies has the mass matrix, the bias and the forces of an i
         }
         System::MassMatrix M{};
         System::Generalised bias{}, force{};
-        const System::Input u{0, any(engine)};
+        const System::Input u{0, any(engine), any(engine), any(engine)};
         system.mass_matrix(x, 0, M);
         system.bias(x, u, 0, bias);
         system.generalised_force(x, u, 0, force);
@@ -98,14 +115,15 @@ TEST_CASE("a tree of bodies has the mass matrix, the bias and the forces of an i
         }
         REQUIRE(falling.CartToJnt(q, qd, none, {}, torque) == 0);
         compare([&](std::size_t i) { return bias[i]; });
-        // The force is in the axes of the ground there, about the origin of the foot.
-        KDL::Frame turned = KDL::Frame::Identity();
-        for (auto segment = other.getSegment("s");; segment = segment->second.parent) {
-            turned = segment->second.segment.pose(q(segment->second.q_nr)) * turned;
-            if (segment->second.parent->first == "ground") break;
-        }
-        const KDL::Wrench pushed(turned.M.Inverse() * KDL::Vector(0, 0, -u[1]), KDL::Vector::Zero());
-        REQUIRE(weightless.CartToJnt(q, still, none, {{"s", pushed}}, torque) == 0);
+        const auto [F, P, drive] = std::array{u[1], u[2], u[3]};
+        const auto axes = [&](const char* name) { return orientation(other, q, name); };
+        const KDL::Vector jet(P, 0, P / 2), turning(drive, drive / 2, drive / 3), upward(0, drive, drive / 4), none_at_all;
+        const std::map<std::string, KDL::Wrench> acting{
+            {"s", {axes("s").Inverse() * KDL::Vector(0, 0, F), none_at_all}},
+            {"w", {jet, KDL::Vector(p.l / 2, 0, 0) * jet + axes("w").Inverse() * upward}},
+            {"b", {none_at_all, turning}},
+            {"phi", {none_at_all, axes("phi").Inverse() * axes("b") * (-turning)}}};
+        REQUIRE(weightless.CartToJnt(q, still, none, balancing(acting), torque) == 0);
         compare([&](std::size_t i) { return force[i]; });
     }
     MESSAGE("largest difference, relative to the largest entry: ", worst);
