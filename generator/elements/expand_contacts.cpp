@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <set>
 
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
 #include "elements/forces.hpp"
-#include "elements/model.hpp"
+#include "elements/mentioned.hpp"
 
 namespace dalembert {
 
@@ -13,21 +12,14 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// Whether an expression, or a definition that it mentions, names anything but parameters. Nothing is checked yet, not even that
-/// definitions do not need themselves.
-bool mentions_what_moves(const Expression& e, const Model& model, std::set<std::string>& followed) {
-    bool moves = false;
-    for_each(e, [&](const Expression& part) {
-        if (part.kind != Kind::name || part.name == "pi" || !followed.insert(part.name).second) return;
+/// Whether an expression, or a definition that it mentions, names anything but parameters.
+bool mentions_what_moves(const Expression& e, const Model& model) {
+    return mentions(e, model, [&](const Expression& part) {
         const auto is_it = [&](const auto& item) { return item.name == part.name; };
-        const auto definition = std::find_if(model.definitions.begin(), model.definitions.end(), is_it);
-        if (definition != model.definitions.end())
-            moves = moves || (definition->value && mentions_what_moves(*definition->value, model, followed));
-        else
-            moves = moves || (std::none_of(model.parameters.begin(), model.parameters.end(), is_it) &&
-                              std::none_of(model.sizes.begin(), model.sizes.end(), is_it));
+        return part.kind == Kind::name && part.name != "pi" && find_definition(model, part.name) == nullptr &&
+               std::none_of(model.parameters.begin(), model.parameters.end(), is_it) &&
+               std::none_of(model.sizes.begin(), model.sizes.end(), is_it);
     });
-    return moves;
 }
 
 /// The surfaces of a friction may be pulled apart.
@@ -185,10 +177,8 @@ void expand(Model& model, const Contact& contact) {
 }  // namespace
 
 void expand_contacts(Model& model) {
-    for (const Friction& friction : model.frictions) {
-        std::set<std::string> followed;
-        expand(model, friction, friction.normal_force && mentions_what_moves(*friction.normal_force, model, followed));
-    }
+    for (const Friction& friction : model.frictions)
+        expand(model, friction, friction.normal_force && mentions_what_moves(*friction.normal_force, model));
     for (const Stop& stop : model.stops) expand(model, stop);
     for (const Contact& contact : model.contacts) expand(model, contact);
 }

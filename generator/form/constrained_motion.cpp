@@ -7,7 +7,9 @@
 
 #include "balance/steps.hpp"
 #include "form/on_constraints.hpp"
+#include "form/rate_row.hpp"
 #include "form/shared_forces.hpp"
+#include "symbolic/functions.hpp"
 #include "symbolic/squares.hpp"
 #include "text/diagnostic.hpp"
 
@@ -32,8 +34,10 @@ public:
         for (std::size_t i = 0; i < system_.constraints.size(); ++i)
             if (system_.constraints[i].holds) add(i);
         find_repetitions();
-        check_sliding();
         leave_out_redundant();
+        check_sliding();
+        for (Repetition& r : system_.repetitions)
+            if (r.is_even) std::transform(r.made_of.begin(), r.made_of.end(), r.made_of.begin(), kept_fraction);
         check_shares();
         Motion& motion = system_.motion;
         for (std::size_t j = 0; j < n_; ++j)
@@ -46,14 +50,7 @@ public:
     }
 
 private:
-    struct Row {
-        std::vector<ex> factors;
-        ex drift;
-        std::vector<ex> made_of;  ///< factors of the constraints
-        std::size_t pivot = 0;
-        std::size_t constraint = 0;
-        const Constraint* item = nullptr;
-    };
+    using Row = RateRow;
 
     Indices indices_of(std::size_t constraint) const { return Translator::indices_of(system_.scene.constraints[constraint]); }
     const ex& velocity(std::size_t j) const { return symbols_.get(SymbolKind::velocity, j); }
@@ -69,17 +66,13 @@ private:
         });
     }
 
-    static void subtract(Row& from, const Row& row) { take(from, from.factors[row.pivot], row); }
-
-    /// from - factor*row
-    static void take(Row& from, const ex& times, const Row& row) {
-        const ex factor = times;
-        if (factor.is_zero()) return;
-        const auto less = [&](ex& a, const ex& b) { a = (a - factor * b).expand(); };
-        for (std::size_t j = 0; j < from.factors.size(); ++j) less(from.factors[j], row.factors[j]);
-        less(from.drift, row.drift);
-        for (std::size_t i = 0; i < from.made_of.size(); ++i) less(from.made_of[i], row.made_of[i]);
+    /// Its sums stay letters where it is multiplied out.
+    static ex kept_fraction(const ex& factor) {
+        const ex fraction = factor.normal().numer_denom();
+        const auto kept = [](const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? ex(dalembert::whole(e)) : e; };
+        return kept(in_cosines(fraction.op(0))) / kept(in_cosines(fraction.op(1)));
     }
+    static void subtract(Row& from, const Row& row) { take(from, from.factors[row.pivot], row); }
 
     Row row_of(std::size_t constraint) const {
         const ConstraintEquation& c = system_.constraints[constraint];
@@ -110,10 +103,6 @@ private:
         rows_.push_back(std::move(row));
     }
 
-    static bool is_zero(const Row& row) {
-        return std::all_of(row.factors.begin(), row.factors.end(), [](const ex& factor) { return factor.is_zero(); });
-    }
-
     /// Of what constraints in a mode repeat each other, each of which may have to let go.
     void find_repetitions() {
         if (!system_.scene.mode) return;
@@ -121,7 +110,7 @@ private:
         std::vector<Row> kept;
         for (Row& row : kept_) {
             for (const Row& other : kept)
-                if (const auto factor = multiple_of(row, other)) take(row, *factor, other);
+                if (const auto factor = multiple_of(row, other, symbols_)) take(row, *factor, other);
             if (!is_zero(row)) {
                 kept.push_back(std::move(row));
                 continue;
@@ -133,17 +122,6 @@ private:
         kept_ = std::move(kept);
         system_.repetitions = repetitions(system_, std::move(repeated));
         if (auto why = why_not_shared(system_, system_.repetitions)) throw Failure(std::move(*why));
-    }
-
-    /// row = factor*other, with a factor of parameters.
-    std::optional<ex> multiple_of(const Row& row, const Row& other) const {
-        std::optional<ex> factor;
-        for (std::size_t j = 0; j < n_ && !factor; ++j)
-            if (!other.factors[j].is_zero()) factor = ex(row.factors[j] / other.factors[j]).normal();
-        if (!factor || factor->is_zero() || !is_of_parameters(*factor, symbols_)) return std::nullopt;
-        for (std::size_t j = 0; j < n_; ++j)
-            if (!ex(row.factors[j] - *factor * other.factors[j]).expand().is_zero()) return std::nullopt;
-        return factor;
     }
 
     /// Where friction slides: 1 forwards, -1 backwards.
@@ -159,7 +137,7 @@ private:
             const ConstraintEquation& before = system_.constraints[j];
             if (slides(before) == 0) continue;
             const Row other = row_of(j);
-            const auto factor = multiple_of(row, other);
+            const auto factor = multiple_of(row, other, symbols_);
             if (!factor || !ex(row.drift - *factor * other.drift).expand().is_zero() ||
                 slides(before) * sign_of_factor(*factor) != -slides(system_.constraints[i]))
                 continue;
@@ -182,11 +160,17 @@ private:
             if (is_zero(row)) continue;
             for (const Row& other : rows_) subtract(row, other);
             for (const Row& other : kept_)
-                if (const auto factor = multiple_of(row, other)) take(row, *factor, other);
-            if (!is_zero(row) || !(row.drift.is_zero() || row.drift.normal().is_zero())) continue;
-            std::vector<std::vector<ex>> repeated{row.made_of};
-            for (const Repetition& r : system_.repetitions) repeated.push_back(r.made_of);
-            if (why_not_shared(system_, repetitions(system_, std::move(repeated)))) continue;
+                if (const auto factor = multiple_of(row, other, symbols_)) take(row, *factor, other);
+            if (is_zero(row)) {
+                if (!vanishes(row.drift)) continue;
+                std::vector<std::vector<ex>> repeated{row.made_of};
+                for (const Repetition& r : system_.repetitions) repeated.push_back(r.made_of);
+                if (why_not_shared(system_, repetitions(system_, std::move(repeated)))) continue;
+            } else {
+                auto followed = what_follows(row, kept_);
+                if (!followed || !vanishes(followed->drift) || !are_of_frictions(system_, followed->made_of)) continue;
+                row = std::move(*followed);
+            }
             std::vector<Note> notes;
             for (std::size_t other = 0; other < row.made_of.size(); ++other)
                 if (other != i && !row.made_of[other].is_zero())
@@ -227,6 +211,25 @@ private:
         }
     }
 
+    /// Frictions that stick in one loop: each rate follows from that of another one, with a factor that changes with the motion. Takes
+    /// those that share what they hold out of the redundant ones.
+    void share_evenly(std::vector<std::size_t>& redundant) {
+        if (!system_.scene.mode) return;
+        const auto is_redundant = [&](const Row& row) { return std::count(redundant.begin(), redundant.end(), row.constraint) > 0; };
+        std::vector<Row> independent, left;
+        std::vector<std::vector<ex>> repeated;
+        for (const Repetition& r : system_.repetitions) repeated.push_back(r.made_of);
+        for (const Row& row : kept_) (is_redundant(row) ? left : independent).push_back(row);
+        for (const Row& row : left) {
+            const auto followed = what_follows(row, independent);
+            if (!followed || !vanishes(followed->drift) || !are_of_frictions(system_, followed->made_of)) continue;
+            repeated.push_back(followed->made_of);
+            std::erase(redundant, row.constraint);
+            std::erase_if(kept_, [&](const Row& one) { return one.constraint == row.constraint; });
+        }
+        system_.repetitions = repetitions(system_, std::move(repeated));
+    }
+
     /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but
     /// numbers do.
     void leave_out_redundant() {
@@ -236,7 +239,9 @@ private:
             for (const Row& row : *rows) order.push_back(row.constraint);
         if (order.size() < 2) return;
         const Values defaults(system_.scene, system_.translate);
-        for (const std::size_t constraint : ConstraintPoints(system_, order, defaults).redundant()) {
+        std::vector<std::size_t> redundant = ConstraintPoints(system_, order, defaults).redundant();
+        share_evenly(redundant);
+        for (const std::size_t constraint : redundant) {
             if (std::none_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == constraint; })) continue;
             ConstraintEquation& c = system_.constraints[constraint];
             if (c.item->share) refuse_apart(c, "and all others stick, its rate follows from theirs");
@@ -245,14 +250,8 @@ private:
             for (const std::size_t other : order)
                 if (other != constraint && !system_.constraints[other].is_redundant)
                     notes.push_back({system_.constraints[other].item->span, "it holds, too"});
-            system_.warnings.push_back({Id::doubly_determined, c.item->span,
-                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is "
-                                                    "determined without it, but the force of each constraint is not. {}",
-                                                    c.name, in_which_mode(system_.scene),
-                                                    system_.scene.mode ? "Its force is set to zero, and the others carry the whole load"
-                                                                       : "At each state, a set of independent constraints carries the "
-                                                                         "whole load; the forces of the others are set to zero"),
-                                        std::move(notes), Severity::warning});
+            system_.warnings.push_back(
+                {Id::doubly_determined, c.item->span, why_alone(system_, constraint), std::move(notes), Severity::warning});
         }
         const auto is_redundant = [&](const Row& row) { return system_.constraints[row.constraint].is_redundant; };
         if (system_.scene.mode) std::erase_if(kept_, is_redundant);

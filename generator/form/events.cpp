@@ -31,6 +31,7 @@ public:
             if (!item.rest.empty()) meet(event.rest, *item.meets, 0, nullptr);
         }
         end_current(event);
+        if (!item.meets && !item.next.empty()) begin_at_rest(event.reset);
         values(event.reset, item.reset);
         values(event.rest, item.rest_reset);
         return event;
@@ -58,6 +59,22 @@ private:
             if (branch.item->law == Branch::Law::inductor && event.guard.has(branch.level) &&
                 event.guard.subs(branch.level == 0, GiNaC::subs_options::no_pattern).is_zero())
                 set(event.reset, symbols_.place(SymbolKind::state, *branch.state), 0);
+    }
+
+    /// Where frictions of a loop let it go, its velocities are zero but for roundings. Only where they are zero exactly does the direction
+    /// in which it begins to move show.
+    void begin_at_rest(Reset& reset) const {
+        const Motion& motion = system_.motion;
+        if (std::none_of(system_.repetitions.begin(), system_.repetitions.end(), [](const Repetition& r) { return r.is_even; })) return;
+        const auto is_zero = [](const ex& factor) { return factor.is_zero(); };
+        const bool all_rest = motion.multipliers.size() == motion.free.size() &&
+                              std::all_of(motion.multipliers.begin(), motion.multipliers.end(),
+                                          [&](std::size_t i) { return system_.constraints[i].rate.drift.is_zero(); });
+        for (std::size_t i = 0; all_rest && i < motion.free.size(); ++i)
+            set(reset, symbols_.place(SymbolKind::velocity, motion.free[i]), 0);
+        for (const auto& [coordinate, rate] : motion.velocities)
+            if (all_rest || std::all_of(rate.jacobian.begin(), rate.jacobian.end(), is_zero))
+                set(reset, symbols_.place(SymbolKind::velocity, coordinate), rate.drift);
     }
 
     void values(Reset& reset, const std::vector<RunEntry>& entries) const {

@@ -10,6 +10,7 @@
 
 #include "balance/steps.hpp"
 #include "form/events.hpp"
+#include "form/on_constraints.hpp"
 #include "symbolic/functions.hpp"
 #include "text/diagnostic.hpp"
 
@@ -52,6 +53,25 @@ int sign_of_factor(const ex& factor) {
     return ex(-factor).info(GiNaC::info_flags::positive) ? -1 : 0;
 }
 
+bool are_of_frictions(const System& system, const std::vector<ex>& factors) {
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const ConstraintEquation& c = system.constraints[i];
+        if (factors[i].is_zero()) continue;
+        if (c.item->share || !(is_friction(c) || holds_in_all_modes(system.scene, c))) return false;
+    }
+    return true;
+}
+
+std::string why_alone(const System& system, std::size_t constraint) {
+    const std::string mode = system.scene.mode ? fmt::format(" in mode '{}'", system.scene.modes[*system.scene.mode].name) : std::string();
+    return fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but the force "
+                       "of each constraint is not. {}",
+                       system.constraints[constraint].name, mode,
+                       system.scene.mode ? "Its force is set to zero, and the others carry the whole load"
+                                         : "At each state, a set of independent constraints carries the whole load; the forces of the "
+                                           "others are set to zero");
+}
+
 std::vector<Repetition> repetitions(const System& system, std::vector<std::vector<ex>> rows) {
     std::vector<Repetition> result;
     for (const std::size_t last : last_first(system)) {
@@ -65,12 +85,16 @@ std::vector<Repetition> repetitions(const System& system, std::vector<std::vecto
         result.push_back(std::move(one));
     }
     std::reverse(result.begin(), result.end());
+    for (Repetition& one : result)
+        one.is_even = std::any_of(one.made_of.begin(), one.made_of.end(),
+                                  [&](const ex& factor) { return !is_of_parameters(factor, system.symbols); });
     return result;
 }
 
 std::optional<Diagnostic> why_not_shared(const System& system, const std::vector<Repetition>& repetitions) {
     const std::string mode = system.scene.modes[*system.scene.mode].name;
     for (const Repetition& r : repetitions) {
+        if (r.is_even && are_of_frictions(system, r.made_of)) continue;
         const std::string& last = system.constraints[r.last].name;
         ex position = 0;
         for (std::size_t i = 0; i < r.made_of.size(); ++i) {
@@ -143,7 +167,7 @@ std::vector<SharedForces::Row> SharedForces::rows_of_events() {
         auto factors = share_factors(event.guard);
         if (!factors || std::all_of(factors->begin(), factors->end(), [](const ex& factor) { return factor.is_zero(); })) continue;
         for (std::size_t r = 0; r < factors->size(); ++r)
-            if (!(*factors)[r].is_zero() && sign_of_factor((*factors)[r]) == 0)
+            if (!(*factors)[r].is_zero() && sign_of_factor((*factors)[r]) == 0 && !system_.repetitions[r].is_even)
                 throw Failure(repeated(system_, system_.repetitions[r],
                                        fmt::format("in mode '{}' event '{}' depends on a shared force with a factor whose sign is not "
                                                    "known, so the mode is left out; give ranges to the parameters of its guard",
@@ -172,10 +196,74 @@ std::vector<SharedForces::Row> SharedForces::without_share(const std::vector<Row
     return result;
 }
 
+/// Guards of two frictions: holds + share and holds - share, limit + factor*share and limit - factor*share.
+struct SharedForces::Pair {
+    const Row *own, *own_back, *other, *other_back;
+    ex factor;
+
+    ex holds() const { return (own->value + own_back->value) / 2; }
+    ex limit() const { return (other->value + other_back->value) / 2; }
+};
+
+/// Nothing where others are in it.
+std::optional<SharedForces::Pair> SharedForces::pair_of(const std::vector<Row>& rows, std::size_t share) const {
+    const std::size_t last = system_.repetitions[share].last;
+    const ex force = std::find_if(letters_.begin(), letters_.end(), [&](const auto& letter) { return letter.first == last; })->second;
+    std::vector<const Row*> own, others;
+    for (const Row& row : rows) {
+        if (row.shares[share].is_zero()) continue;
+        const bool is_own = row.shares[share].is_equal(1) || row.shares[share].is_equal(-1);
+        const bool has_own = is_own && !has_letters(ex(row.value - row.shares[share] * force).expand());
+        (has_own ? own : others).push_back(&row);
+    }
+    if (own.size() != 2 || others.size() != 2) return std::nullopt;
+    const Pair pair{own[0], own[1], others[0], others[1], others[0]->shares[share]};
+    const auto are_opposite = [&](const Row& a, const Row& b) {
+        for (std::size_t r = 0; r < a.shares.size(); ++r)
+            if (!ex(a.shares[r] + b.shares[r]).normal().is_zero()) return false;
+        return !has_letters(ex(a.value + b.value).expand());
+    };
+    if (!are_opposite(*own[0], *own[1]) || !are_opposite(*others[0], *others[1])) return std::nullopt;
+    return pair;
+}
+
+/// Each way the other one lets go when what both can hold together is gone. Where there is no such pair, the share is zero.
+std::vector<SharedForces::Row> SharedForces::without_even_share(const std::vector<Row>& rows, std::size_t share) const {
+    const auto pair = pair_of(rows, share);
+    const ex force = system_.constraints[system_.repetitions[share].last].force;
+    std::vector<Row> result;
+    for (const Row& row : rows) {
+        if (pair && (&row == pair->own || &row == pair->own_back)) continue;
+        if (!pair && row.value.has(force) && !row.shares[share].is_zero() && sign_of_factor(row.shares[share]) != 0) continue;
+        Row left = row;
+        if (!row.shares[share].is_zero()) {
+            left.value -= row.shares[share] * force;
+            if (pair) left.value += magnitude(pair->factor) * pair->holds();
+            left.shares[share] = 0;
+        }
+        result.push_back(std::move(left));
+    }
+    return result;
+}
+
+/// With those behind it chosen: the share of what the two hold that is in proportion to what each can.
+ex SharedForces::even_share(std::size_t share, const std::vector<ex>& chosen) const {
+    const auto pair = pair_of(stages_[share], share);
+    if (!pair) return 0;
+    ex held = with_solved((pair->other->value - pair->other_back->value) / 2);
+    for (std::size_t l = share + 1; l < chosen.size(); ++l) held += pair->other->shares[l] * chosen[l];
+    const ex holds = with_solved(pair->holds()), limit = with_solved(pair->limit());
+    return -sign_of(pair->factor) * holds * held / (limit + magnitude(pair->factor) * holds);
+}
+
 /// As small as it can be, the last one first.
 void SharedForces::choose_shares() {
     std::vector<ex> chosen(system_.repetitions.size(), 0);
     for (std::size_t r = chosen.size(); r-- > 0;) {
+        if (system_.repetitions[r].is_even) {
+            chosen[r] = even_share(r, chosen);
+            continue;
+        }
         std::vector<ex> lower, upper;
         for (const Row& row : stages_[r]) {
             // Its own events allow zero.
@@ -231,7 +319,9 @@ void SharedForces::watch(const std::vector<Row>& rows) {
 
 /// Where somebody looks at a share.
 void SharedForces::tell() const {
-    for (const Repetition& r : system_.repetitions) {
+    for (std::size_t number = 0; number < system_.repetitions.size(); ++number) {
+        const Repetition& r = system_.repetitions[number];
+        if (r.is_even && !pair_of(stages_[number], number)) continue;  // it was told
         const auto asks = [&](const ex& e) {
             return std::any_of(letters_.begin(), letters_.end(),
                                [&](const auto& letter) { return !r.made_of[letter.first].is_zero() && e.has(letter.second); });
@@ -253,9 +343,10 @@ void SharedForces::tell() const {
         const Constraint& last = *system_.constraints[r.last].item;
         system_.warnings.push_back(
             {Id::doubly_determined, last.span,
-             fmt::format(
-                 "where '{}' and {} hold the same motion, the force of each is not determined. '{}' gets the part that {} cannot carry",
-                 last.name, fmt::join(names, ", "), last.name, fmt::join(names, ", ")),
+             fmt::format("where '{}' and {} hold the same motion, the force of each is not determined. {}", last.name,
+                         fmt::join(names, ", "),
+                         r.is_even ? "Each friction gets the same part of what it can hold"
+                                   : fmt::format("'{}' gets the part that {} cannot carry", last.name, fmt::join(names, ", "))),
              std::move(notes), Severity::warning});
     }
 }
@@ -265,16 +356,21 @@ void SharedForces::settle() {
     std::vector<Row> rows = rows_of_events();
     for (const Row& row : rows) {
         const EventEquation& event = system_.events[*row.events.begin()];
-        system_.events[*row.events.begin()] = {event.item, event.name, event.doc, event.ends, false, 0, 0, {}, {}};
+        system_.events[*row.events.begin()] = {event.item, event.name, event.doc, event.ends, false, 0, 0, event.reset, {}};
     }
     for (std::size_t r = 0; r < system_.repetitions.size(); ++r) {
         stages_.emplace_back();
         for (const Row& row : rows)
             if (!row.shares[r].is_zero()) stages_.back().push_back(row);
-        rows = without_share(rows, r);
+        const Repetition& one = system_.repetitions[r];
+        if (one.is_even && !pair_of(rows, r))
+            system_.warnings.push_back(repeated(system_, one, why_alone(system_, one.last), Severity::warning));
+        rows = one.is_even ? without_even_share(rows, r) : without_share(rows, r);
     }
     choose_shares();
     watch(rows);
+    for (EventEquation& event : system_.events)
+        if (!event.is_watched) event.reset = {};
     tell();
     const auto show = [&](ex& e) { e = e.subs(shown_, GiNaC::subs_options::no_pattern); };
     for (OutputEquation& output : system_.outputs) show(output.value);

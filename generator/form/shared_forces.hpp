@@ -16,10 +16,17 @@ namespace dalembert {
 /// 1 or -1; 0 where it is not known.
 int sign_of_factor(const GiNaC::ex& factor);
 
+/// Whether nothing but frictions can let go of the constraints with these factors.
+bool are_of_frictions(const System& system, const std::vector<GiNaC::ex>& factors);
+
+/// What is said of a constraint whose force is set to zero.
+std::string why_alone(const System& system, std::size_t constraint);
+
 /// Of factors with which the rates of constraints add up to zero. The last ones, whose forces are the shares, are frictions before others.
 std::vector<Repetition> repetitions(const System& system, std::vector<std::vector<GiNaC::ex>> factors);
 
-/// Positions of which one follows from others, but that cannot all be zero; a warning where the sign of a factor is not known.
+/// Positions of which one follows from others, but that cannot all be zero; a warning where the sign of a factor is not known, and not
+/// all that can let go is friction.
 std::optional<Diagnostic> why_not_shared(const System& system, const std::vector<Repetition>& repetitions);
 
 /// Between its construction and settle(), outputs and guards are made with letters for forces that are shared.
@@ -38,6 +45,10 @@ private:
     std::optional<std::vector<GiNaC::ex>> share_factors(const GiNaC::ex& guard) const;
     std::vector<Row> rows_of_events();
     std::vector<Row> without_share(const std::vector<Row>& rows, std::size_t share) const;
+    struct Pair;
+    std::optional<Pair> pair_of(const std::vector<Row>& rows, std::size_t share) const;
+    std::vector<Row> without_even_share(const std::vector<Row>& rows, std::size_t share) const;
+    GiNaC::ex even_share(std::size_t share, const std::vector<GiNaC::ex>& chosen) const;
     void choose_shares();
     void watch(const std::vector<Row>& rows);
     void tell() const;

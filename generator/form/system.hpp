@@ -73,6 +73,7 @@ struct ConstraintEquation {
 struct Repetition {
     std::size_t last;                   ///< constraint
     std::vector<GiNaC::ex> made_of;     ///< factors of all constraints, numbers or parameters of known sign
+    bool is_even = false;               ///< of frictions in a loop, whose factors change with the motion and have any sign
 };
 
 /// What is solved for: the accelerations of coordinates that constraints leave free, all of them where nothing is eliminated; and behind

@@ -78,7 +78,9 @@ namespace {
 /// Beside what a condition is measured: see is_near() in the runtime.
 ex size_of(const System& system, const ex& sum, ModeCondition::Of of) {
     // What comes to rest within a loop leaves roundings, and no terms beside which they are small.
-    const ex at_rest = system.motion.multipliers.empty() ? ex(0) : GiNaC::numeric(1, 1 << 20);
+    const bool has_loop = !system.motion.multipliers.empty() || std::any_of(system.repetitions.begin(), system.repetitions.end(),
+                                                                            [](const Repetition& r) { return r.is_even; });
+    const ex at_rest = has_loop ? GiNaC::numeric(1, 1 << 20) : ex(0);
     switch (of) {
         // A position is as good as the integration, whose error is larger than that of a rate.
         case ModeCondition::Of::position: return 64 * size_at_any_angle(sum);

@@ -5,7 +5,7 @@
 #include "elements/fluids.hpp"
 #include "elements/forces.hpp"
 #include "elements/heat.hpp"
-#include "elements/model.hpp"
+#include "elements/mentioned.hpp"
 #include "text/budgets.hpp"
 
 #include <fmt/format.h>
@@ -28,22 +28,16 @@ bool leads_to(const Event& event, const std::string& mode) { return leads_to(eve
 
 /// Whether an expression, or a definition that it mentions, is another one in another mode: by the name of a mode, by a force,
 /// or by a voltage or current of a circuit that switches.
-bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::string>& followed) {
-    bool result = false;
-    for_each(e, [&](const Expression& part) {
-        if (part.kind == Expression::Kind::call && part.name == "ddot") result = true;
-        if (part.kind != Expression::Kind::name || result || !followed.insert(part.name).second) return;
+bool jumps_with_modes(const Expression& e, const Scene& scene) {
+    return mentions(e, *scene.model, [&](const Expression& part) {
         const auto has_it = [&](const ModeGroup* group) {
             return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
         };
-        result = part.name == "constraint_force" || part.name == "voltage" || part.name == "current" ||
-                 std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), has_it);
-        const auto definition = std::find_if(scene.model->definitions.begin(), scene.model->definitions.end(),
-                                             [&](const Definition& d) { return d.name == part.name; });
-        if (!result && definition != scene.model->definitions.end() && definition->value)
-            result = jumps_with_modes(*definition->value, scene, followed);
+        if (part.kind == Expression::Kind::call) return part.name == "ddot";
+        return part.kind == Expression::Kind::name &&
+               (part.name == "constraint_force" || part.name == "voltage" || part.name == "current" ||
+                std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), has_it));
     });
-    return result;
 }
 
 /// Whether a part of the machine may be driven out of its mode where another one changes its own. Of switches one input or one time may
@@ -54,9 +48,8 @@ bool may_be_driven_out(const Scene& scene, const ModeGroup& group) {
                     [&](const Branch& branch) { return branch.law == Branch::Law::switching && branch.name == group.name; }))
         return true;
     return std::any_of(scene.events.begin(), scene.events.end(), [&](const auto& event) {
-        std::set<std::string> followed;
         return std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return leads_to(*event.item, mode.name); }) &&
-               jumps_with_modes(*event.item->guard, scene, followed);
+               jumps_with_modes(*event.item->guard, scene);
     });
 }
 

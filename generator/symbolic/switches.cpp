@@ -48,7 +48,7 @@ class KinkOrder {
 public:
     explicit KinkOrder(const ex& by) : by_(by.expand()) {
         for (auto part = by_.preorder_begin(); part != by_.preorder_end() && at_zero_.empty(); ++part) {
-            if (!GiNaC::is_a<GiNaC::symbol>(*part) || by_.degree(*part) != 1) continue;
+            if (!GiNaC::is_a<GiNaC::symbol>(*part) || !by_.is_polynomial(*part) || by_.degree(*part) != 1) continue;
             const ex slope = by_.coeff(*part, 1), rest = by_.coeff(*part, 0);
             if (!slope.has(*part) && !rest.has(*part)) at_zero_[*part] = -rest / slope;
         }

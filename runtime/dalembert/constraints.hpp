@@ -168,8 +168,13 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
     result.rate = detail::newton<Constraints>(
         x, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); },
         [&](const Constraints& r) {
+            using std::abs;
             const Generalised d = step(r);
-            for (std::size_t j = 0; j < d.size(); ++j) x[System::velocity_place + j] -= d[j];
+            for (std::size_t j = 0; j < d.size(); ++j) {
+                Scalar& v = x[System::velocity_place + j];
+                v -= d[j];
+                if (abs(v) < std::numeric_limits<Scalar>::min()) v = Scalar(0);  // steps change it no more
+            }
         });
     constexpr double small = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-5 : 1e-10;
     if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small)))

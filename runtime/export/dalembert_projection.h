@@ -39,7 +39,11 @@ static inline double dalembert_newton(const dalembert_plant* plant, const void* 
         memcpy(before, x, plant->states * sizeof(double));
         plant->correction(self, mode, x, t, residual, step);
         if (is_rate)
-            for (size_t j = 0; j < n; ++j) x[plant->velocity_place + j] -= step[j];
+            for (size_t j = 0; j < n; ++j) {
+                double* const v = &x[plant->velocity_place + j];
+                *v -= step[j];
+                if (fabs(*v) < 2.2250738585072014e-308) *v = 0; /* below the smallest normal number steps change it no more */
+            }
         else
             plant->move_back(self, x, step);
         value(self, mode, x, t, residual);
