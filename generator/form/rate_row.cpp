@@ -39,6 +39,14 @@ std::vector<std::size_t> independent_columns(const std::vector<RateRow>& rows, s
 
 }  // namespace
 
+RateRow row_of(const System& system, std::size_t constraint) {
+    const ConstraintEquation& c = system.constraints[constraint];
+    RateRow row{c.rate.jacobian, c.rate.drift, std::vector<ex>(system.constraints.size(), 0), 0, constraint, c.item};
+    for (ex& factor : row.factors) factor = factor.expand();
+    row.made_of[constraint] = 1;
+    return row;
+}
+
 void take(RateRow& from, const ex& times, const RateRow& row) {
     const ex factor = times;
     if (factor.is_zero()) return;

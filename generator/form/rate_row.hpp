@@ -15,8 +15,12 @@ struct RateRow {
     const Constraint* item = nullptr;
 };
 
+/// Of a constraint that holds, or would.
+RateRow row_of(const System& system, std::size_t constraint);
 /// from - factor*row
 void take(RateRow& from, const GiNaC::ex& factor, const RateRow& row);
+/// What is left of it behind the elimination of the pivot of a row.
+inline void subtract(RateRow& from, const RateRow& row) { take(from, from.factors[row.pivot], row); }
 bool is_zero(const RateRow& row);
 /// Also where cosines and sines cancel.
 bool vanishes(const GiNaC::ex& e);

@@ -62,11 +62,14 @@ bool are_of_frictions(const System& system, const std::vector<ex>& factors) {
     return true;
 }
 
+std::string in_which_mode(const Scene& scene) {
+    return scene.mode ? fmt::format(" in mode '{}'", scene.modes[*scene.mode].name) : std::string();
+}
+
 std::string why_alone(const System& system, std::size_t constraint) {
-    const std::string mode = system.scene.mode ? fmt::format(" in mode '{}'", system.scene.modes[*system.scene.mode].name) : std::string();
     return fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but the force "
                        "of each constraint is not. {}",
-                       system.constraints[constraint].name, mode,
+                       system.constraints[constraint].name, in_which_mode(system.scene),
                        system.scene.mode ? "Its force is set to zero, and the others carry the whole load"
                                          : "At each state, a set of independent constraints carries the whole load; the forces of the "
                                            "others are set to zero");
@@ -246,7 +249,7 @@ std::vector<SharedForces::Row> SharedForces::without_even_share(const std::vecto
     return result;
 }
 
-/// With those behind it chosen: the share of what the two hold that is in proportion to what each can.
+/// Splits a load in proportion to what each of the two can hold. The shares behind this one are chosen already.
 ex SharedForces::even_share(std::size_t share, const std::vector<ex>& chosen) const {
     const auto pair = pair_of(stages_[share], share);
     if (!pair) return 0;
@@ -345,7 +348,7 @@ void SharedForces::tell() const {
             {Id::doubly_determined, last.span,
              fmt::format("where '{}' and {} hold the same motion, the force of each is not determined. {}", last.name,
                          fmt::join(names, ", "),
-                         r.is_even ? "Each friction gets the same part of what it can hold"
+                         r.is_even ? "Each friction is shown with the same fraction of its holding force"
                                    : fmt::format("'{}' gets the part that {} cannot carry", last.name, fmt::join(names, ", "))),
              std::move(notes), Severity::warning});
     }

@@ -5,7 +5,10 @@
 // note [shares]: A mode holds as long as the shares can be chosen so that every constraint that can let go holds on: friction within its
 // limits, a stop that does not pull. Its events ask for that: the guards are linear in the shares, which Fourier and Motzkin's elimination
 // takes out of them. A guard that is left is a sum of guards of events, which happen together where it falls through zero.
-// What is shown, and seen by other guards, is one of the possible choices: a constraint bears what those before it cannot, first those that
+// Frictions in a loop hold one motion with factors that change with it and may have any sign. From holds + share > 0 and holds - share > 0
+// of one, limit + b*share > 0 and limit - b*share > 0 of the other follows limit + |b|*holds > 0, where the share has left the forces: of
+// all shares that the first allows, one lets the other hold. What is shown then divides the load in proportion to what each can hold.
+// What is shown otherwise, and seen by other guards, is one of the possible choices: a constraint bears what those before it cannot, first those that
 // can bear without limit, then friction, each in order of declaration.
 #pragma once
 
@@ -19,6 +22,8 @@ int sign_of_factor(const GiNaC::ex& factor);
 /// Whether nothing but frictions can let go of the constraints with these factors.
 bool are_of_frictions(const System& system, const std::vector<GiNaC::ex>& factors);
 
+/// " in mode 'open'"; nothing without modes.
+std::string in_which_mode(const Scene& scene);
 /// What is said of a constraint whose force is set to zero.
 std::string why_alone(const System& system, std::size_t constraint);
 

@@ -128,7 +128,7 @@ void subtract(Supply& from, const Supply& other) {
     for (const Wrench& wrench : other.wrenches) from.wrenches.push_back(reversed(wrench));
 }
 
-/// Supplies of what acts in space on bodies with axes of their own.
+/// Forces and torques, as vectors, on bodies with axes of their own.
 class InSpace {
 public:
     InSpace(const Translator& translate, const std::vector<BodyMotion>& bodies, const Chain* chain)

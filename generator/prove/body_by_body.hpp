@@ -31,7 +31,7 @@ public:
     bool gravity_is_proven(std::size_t potential) const { return gravity_is_proven_[potential]; }
     /// That gravity of composite bodies is the sum of these forces.
     bool total_gravity_is_proven() const { return total_gravity_is_proven_; }
-    /// That the power of what was handed on from body to body is that of its generalised forces.
+    /// Whether each wrench has the same power at its body as its generalised forces have.
     bool wrenches_are_proven() const { return wrenches_are_proven_; }
 
 private:

@@ -51,7 +51,7 @@ public:
                                                           [](const ex& a, const ex& b) { return a.is_equal(b); });
     }
 
-    /// The force of gravity is that on the body, of what stands on the ground.
+    /// Whether gravity pulls at the body with its mass, and is its generalised force where the body stands on the ground.
     bool is_pulled(const ChainLink& link) {
         const BodyMotion& body = body_of(link);
         const auto gravity = std::find_if(system_.potentials.begin(), system_.potentials.end(),
