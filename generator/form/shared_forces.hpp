@@ -8,8 +8,8 @@
 // Frictions in a loop hold one motion with factors that change with it and may have any sign. From holds + share > 0 and holds - share > 0
 // of one, limit + b*share > 0 and limit - b*share > 0 of the other follows limit + |b|*holds > 0, where the share has left the forces: of
 // all shares that the first allows, one lets the other hold. What is shown then divides the load in proportion to what each can hold.
-// What is shown otherwise, and seen by other guards, is one of the possible choices: a constraint bears what those before it cannot, first those that
-// can bear without limit, then friction, each in order of declaration.
+// What is shown otherwise, and seen by other guards, is one of the possible choices: a constraint bears what those before it cannot, first
+// those that can bear without limit, then friction, each in order of declaration.
 #pragma once
 
 #include "form/system.hpp"
