@@ -13,6 +13,13 @@
 #include "dalembert/methods/dop853_coefficients.hpp"
 #include "dalembert/methods/stepper.hpp"
 
+/// The loop that follows writes to no array that it reads; a compiler that cannot see so makes no vectors of it.
+#if defined(__GNUC__) && !defined(__clang__)
+#define DALEMBERT_NO_ALIAS _Pragma("GCC ivdep")
+#else
+#define DALEMBERT_NO_ALIAS
+#endif
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
@@ -27,11 +34,9 @@ Scalar dop853_error(const Scalar& fifth, const Scalar& third) {
     const Scalar a = abs(fifth);
     const Scalar b = abs(third) / Scalar(10);
     const Scalar largest = max(a, b);
-    const Scalar unit = largest > Scalar(0) ? largest : Scalar(1);  // so that no square vanishes
-    const Scalar p = a / unit;
-    const Scalar q = b / unit;
-    const Scalar root = sqrt(p * p + q * q);
-    return a * p / (root < Scalar(1) ? Scalar(1) : root);  // less than one only where both are zero
+    if (!(largest > Scalar(0))) return a * b;
+    const Scalar ratio = (a < b ? a : b) / largest;  // so that no square vanishes
+    return (a < b ? a * ratio : a) / sqrt(Scalar(1) + ratio * ratio);
 }
 
 /// The last stage of a step is the first of the next.
@@ -50,11 +55,11 @@ public:
         k_[0] = from.dxdt;
         make_stages(from, c, std::make_index_sequence<11>{});
         const Scalar h = c.length;
-        c.y = from.x;
         State& third = d_[0];  // no dense output is made yet
+        DALEMBERT_NO_ALIAS
         for (std::size_t i = 0; i < c.y.size(); ++i) {
             const Scalar rate = sum<Table::result>(i);
-            c.y[i] += h * rate;
+            c.y[i] = from.x[i] + h * rate;
             c.error[i] = h * sum<Table::fifth>(i);
             third[i] = h * (rate - sum<Table::third>(i));
         }
@@ -79,6 +84,9 @@ public:
     }
 
 private:
+    /// Sums of a short state stay scalar: their terms have just been stored one by one, and vectors of them would wait for that.
+    static constexpr bool is_short = has_fixed_size<State> && size_of<State>() <= 8;
+
     /// The weighted sum of a row of the table, entry i. From the first stage to the last, so that nothing waits for that but the last addition.
     template <std::size_t row>
     Scalar sum(std::size_t i) const {
@@ -93,8 +101,14 @@ private:
     template <std::size_t row>
     void make_stage(const Point<State>& from, const Candidate<State>& c) {
         const Scalar h = c.length;
-        State x = from.x;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * sum<row>(i);
+        State x;
+        if constexpr (is_short) {
+            x = from.x;
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * sum<row>(i);
+        } else {
+            DALEMBERT_NO_ALIAS
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] = from.x[i] + h * sum<row>(i);
+        }
         rhs_(x, k_[row - 1], row == 12 ? c.end : from.t + numbers_.table.times[row - 1] * h);
     }
 
@@ -130,3 +144,5 @@ private:
 }  // namespace detail
 }  // namespace v1
 }  // namespace dalembert
+
+#undef DALEMBERT_NO_ALIAS

@@ -68,9 +68,13 @@ std::size_t first_not_finite(const State& x) noexcept {
     return i;
 }
 
+/// By a sum of zeros, which costs less than a test of each.
 template <class State>
 bool are_finite(const State& a, const State& b) noexcept {
-    return first_not_finite(a) == a.size() && first_not_finite(b) == b.size();
+    using Scalar = typename State::value_type;
+    Scalar sum = Scalar(0);
+    for (std::size_t i = 0; i < a.size(); ++i) sum += Scalar(0) * a[i] + Scalar(0) * b[i];
+    return sum == Scalar(0);
 }
 
 /// On a frame of its own: of long states those of all methods together would not fit the stack.

@@ -14,6 +14,7 @@
 #include "dalembert/sensitivities/sensitivity_matrix.hpp"
 #include "dalembert/sensitivities/varied.hpp"
 #include "dalembert/system_derivatives.hpp"
+#include "dalembert/unroll.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -140,9 +141,17 @@ public:
     }
 
 private:
-    /// Of short columns the whole Jacobian, of others row by row: sums stay in registers.
+    /// Whether Jacobians store all of their entries, and columns are so short that sums over them stay in registers.
+    static constexpr bool has_short_columns = [] {
+        if constexpr (has_fixed_size<Plain>)
+            return size_of<Plain>() <= 8 && !System::PatternX::is_sparse && !System::PatternP::is_sparse;
+        else
+            return false;
+    }();
+
+    /// Adds (df/dx) S to what put_own_rates has put, but for short columns, whose own rates are the begin of their sums: vectors that are
+    /// loaded right after their entries were stored one by one would wait.
     void add_products(const State& all, State& derivative) const {
-        constexpr std::size_t short_column = 8;
         const std::size_t n = size_of<Plain>(), end = (varied_.size() + 1) * n;
         const Scalar* const S = all.data();
         Scalar* const rates = derivative.data();
@@ -154,17 +163,19 @@ private:
                         sum += by_state_[by_rows_.entries[k].place] * S[c + by_rows_.entries[k].column];
                     rates[c + row] = sum;
                 }
-        } else if constexpr (size_of<Plain>() <= short_column) {
-            std::array<Plain, size_of<Plain>()> J{};
-            for (std::size_t column = 0; column < n; ++column)
-                for_each_in_column<typename System::PatternX>(by_state_, n, column,
-                                                              [&](std::size_t row, const Scalar& value) { J[column][row] = value; });
+        } else if constexpr (has_short_columns) {
+            constexpr Known<size_of<Plain>()> entries{};
+            const typename System::JacobianX J = by_state_;
+            const Plain nothing{};
             for (std::size_t c = n; c < end; c += n) {
-                Plain sum;
-                std::copy_n(rates + c, n, sum.begin());
-                for (std::size_t column = 0; column < n; ++column)
-                    for (std::size_t i = 0; i < n; ++i) sum[i] += J[column][i] * S[c + column];
-                std::copy_n(sum.begin(), n, rates + c);
+                const Scalar* const own = has_own_rates(c / n - 1) ? by_parameters_.data() + varied_[c / n - 1].number * n : nothing.data();
+                each(entries, [&](auto row) {
+                    Scalar sum = own[row];
+                    each(entries, [&](auto column) {
+                        if (may_be_nonzero<typename System::PatternX>(row, column)) sum += J[column * n + row] * S[c + column];
+                    });
+                    rates[c + row] = sum;
+                });
             }
         } else {
             for (std::size_t column = 0; column < n; ++column)
@@ -217,13 +228,18 @@ private:
         }
     }
 
+    /// The delay of an input is no parameter of the system.
+    bool has_own_rates(std::size_t c) const {
+        return varied_[c].of == Varied::Of::parameter && varied_[c].number < System::parameter_table().size();
+    }
+
     /// df/d(varied) at fixed x and u.
     void put_own_rates(State& derivative) const {
+        if constexpr (has_short_columns) return;
         const std::size_t n = size_of<Plain>();
         std::fill(derivative.begin() + static_cast<std::ptrdiff_t>(n), derivative.end(), Scalar(0));
         for (std::size_t c = 0; c < varied_.size(); ++c)
-            // The delay of an input has no column of its own.
-            if (varied_[c].of == Varied::Of::parameter && varied_[c].number < System::parameter_table().size())
+            if (has_own_rates(c))
                 for_each_in_column<typename System::PatternP>(
                     by_parameters_, n, varied_[c].number,
                     [&](std::size_t row, const Scalar& value) { derivative[(c + 1) * n + row] = value; });
