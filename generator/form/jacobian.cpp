@@ -98,6 +98,12 @@ Partials partials(const System& system, By by, bool with_residual) {
     return result;
 }
 
+const Partials& KnownPartials::operator()(By by, bool with_residual) {
+    const auto place = known_.find(by);
+    if (place != known_.end() && (place->second.has_residual || !with_residual)) return place->second.partials;
+    return known_.insert_or_assign(by, Known{partials(system_, by, with_residual), with_residual}).first->second.partials;
+}
+
 std::vector<std::vector<ex>> output_by_acceleration(const System& system) {
     const std::vector<ex> outputs = output_values(system);
     std::vector<std::vector<ex>> result;

@@ -3,6 +3,8 @@
 // The solve with M is left to the numbers; M is never inverted symbolically.
 #pragma once
 
+#include <map>
+
 #include "form/system.hpp"
 
 namespace dalembert {
@@ -26,6 +28,22 @@ std::vector<const Variable*> column_variables(const Symbols& symbols, By by);
 GiNaC::ex by_column(const System& system, const GiNaC::ex& e, const Variable& column);
 /// Without the residual where it is not asked for: of many bodies its derivatives are long.
 Partials partials(const System& system, By by, bool with_residual = true);
+
+/// Partials of one system, each taken once: code is made of them, and compared with them.
+class KnownPartials {
+public:
+    explicit KnownPartials(const System& system) : system_(system) {}
+    /// Those without the residual may have one.
+    const Partials& operator()(By by, bool with_residual = true);
+
+private:
+    struct Known {
+        Partials partials;
+        bool has_residual;
+    };
+    const System& system_;
+    std::map<By, Known> known_;
+};
 
 /// d(output)/d(qdd), and by the multipliers behind them: [coordinate][output]; not zero for outputs such as a measured acceleration.
 std::vector<std::vector<GiNaC::ex>> output_by_acceleration(const System& system);

@@ -87,6 +87,7 @@ struct Code {
     Code(const Code&) = delete;
 
     const System& system;
+    mutable KnownPartials partials{system};
     Atoms atoms;
     ParameterCache cache;
     Solve solve;                                  ///< how M*x = b is solved

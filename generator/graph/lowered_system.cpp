@@ -16,7 +16,8 @@ namespace {
 
 class Lowerer {
 public:
-    Lowerer(const System& system, Atoms& atoms, ChainUse chain) : system_(system), atoms_(atoms), chain_(chain) {}
+    Lowerer(const System& system, KnownPartials& partials, Atoms& atoms, ChainUse chain)
+        : system_(system), partials_(partials), atoms_(atoms), chain_(chain) {}
 
     LoweredSystem run(bool rewrites, const std::set<Function>& wished) {
         LoweredSystem l;
@@ -31,7 +32,7 @@ public:
         l.state_rate = all(system_.state_rates);
         l.definitions = all(system_.symbols.definition_values());
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
-            const Partials p = partials(system_, by, !l.has_long_chain);
+            const Partials& p = partials_(by, !l.has_long_chain);
             auto& columns = l.by[static_cast<std::size_t>(by)];
             for (const auto& column : p.residual) columns.residual.push_back(all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
@@ -201,6 +202,7 @@ private:
     }
 
     const System& system_;
+    KnownPartials& partials_;
     Atoms& atoms_;
     ChainUse chain_;
     LoweredSums sums_;
@@ -208,8 +210,9 @@ private:
 
 }  // namespace
 
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain, const std::set<Function>& wished) {
-    return Lowerer(system, atoms, chain).run(rewrites, wished);
+LoweredSystem lower_system(const System& system, KnownPartials& partials, Atoms& atoms, bool rewrites, ChainUse chain,
+                           const std::set<Function>& wished) {
+    return Lowerer(system, partials, atoms, chain).run(rewrites, wished);
 }
 
 }  // namespace dalembert

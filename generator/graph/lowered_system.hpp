@@ -53,7 +53,7 @@ struct LoweredSystem {
 };
 
 /// Lowers everything, rewrites what loses digits if that is wanted, and brings the atoms into the order of declaration.
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain,
+LoweredSystem lower_system(const System& system, KnownPartials& partials, Atoms& atoms, bool rewrites, ChainUse chain,
                            const std::set<Function>& wished = {});
 
 }  // namespace dalembert

@@ -164,10 +164,11 @@ bool Rewriter::is_good(const Polynomial& exact_form, const Polynomial& computed_
 
 double Rewriter::Loss::largest() const { return without_value > 0 ? std::numeric_limits<double>::infinity() : error; }
 
-Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& computed_form) {
+Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& computed_form, const Loss* better_than) {
     const auto& list = expected(exact_form);
     Loss result;
     for (std::size_t k = 0; k < list.size(); ++k) {
+        if (better_than != nullptr && !result.is_less_than(*better_than)) break;
         if (!list[k]) continue;
         const double computed = points_[k].first.rounded(computed_form);
         if (!std::isfinite(computed)) {
@@ -255,9 +256,8 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
         least.error /= least_gain;
         const std::vector<OtherForm>& forms = other_forms(best, atoms_, forms_);
         for (const OtherForm& form : forms) {
-            const Loss one = loss(reference, form.form);
-            if (one.without_value > least.without_value || (one.without_value == least.without_value && !(one.error < least.error)))
-                continue;
+            const Loss one = loss(reference, form.form, &least);
+            if (!one.is_less_than(least)) continue;
             least = one;
             better = &form;
         }

@@ -34,8 +34,12 @@ private:
         std::size_t without_value = 0;  ///< points where the sum has a value and the form has none, as where an exponential overflows
         double error = 0;               ///< the largest at the others, in ulp beyond the condition
         double largest() const;
+        bool is_less_than(const Loss& other) const {
+            return without_value < other.without_value || (without_value == other.without_value && error < other.error);
+        }
     };
-    Loss loss(const Polynomial& exact, const Polynomial& computed);
+    /// With `better_than` it ends where the form is seen to lose no less than that.
+    Loss loss(const Polynomial& exact, const Polynomial& computed, const Loss* better_than = nullptr);
     bool is_good(const Polynomial& exact, const Polynomial& computed);
     static double unit_of(const ExactNumber& number, const std::vector<double>& values);
     void draw(const std::vector<Polynomial>& guards);

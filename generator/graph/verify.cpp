@@ -141,7 +141,7 @@ void Verification::chain_columns(Function function, By by) {
     link_proof(function).columns(chain_slopes(system_, {by}), by);
     Raiser plain = raiser(f);
     const GiNaC::exmap known = solutions(f, plain);
-    const Partials p = partials(system_, by, false);
+    const Partials& p = code_.partials(by, false);
     for (std::size_t c = 0; c < p.state_rate.size(); ++c)
         for (std::size_t i = 0; i < p.state_rate[c].size(); ++i)
             compare(function, plain(f.below.at(i, c)), p.state_rate[c][i].subs(known, GiNaC::subs_options::no_pattern));
@@ -165,7 +165,7 @@ void Verification::columns(Function function, By by) {
     if (f.loop) return chain_columns(function, by);
     if (function != Function::rhs_and_jacobian && function != Function::together) solved_motion(function);
     MovingRaisers raise = moving_raisers(f);
-    const Partials p = partials(system_, by);
+    const Partials& p = code_.partials(by);
     for (std::size_t c = 0; c < p.residual.size(); ++c) {
         for (std::size_t j = 0; j < p.residual[c].size(); ++j) compare_moving(function, raise, f.right.at(j, c), -p.residual[c][j]);
         for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare_moving(function, raise, f.below.at(i, c), p.state_rate[c][i]);

@@ -18,7 +18,7 @@ void Verification::hessian() {
     MovingRaisers raise = moving_raisers(f);
     std::size_t c = 0;
     for (const By by : {By::state, By::input}) {
-        const Partials p = partials(system_, by);
+        const Partials& p = code_.partials(by);
         for (std::size_t k = 0; k < p.residual.size(); ++k, ++c) {
             for (std::size_t j = 0; j < p.residual[k].size(); ++j) compare_moving(function, raise, f.right.at(j, c), -p.residual[k][j]);
             held_column(function, f, c, p.held[k]);

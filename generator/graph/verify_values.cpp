@@ -105,7 +105,7 @@ void Verification::define_solutions(const FunctionCode& f, Raiser& raise) const 
 void Verification::output_columns(Function function, By by) {
     const FunctionCode& f = code_[function];
     Raiser raise = raiser(f);
-    const Partials p = partials(system_, by, !f.whole_output.entries.empty());
+    const Partials& p = code_.partials(by, !f.whole_output.entries.empty());
     const auto by_acceleration = output_by_acceleration(system_);
     solved_motion(function);
     const GiNaC::exmap known = solutions(f, raise);

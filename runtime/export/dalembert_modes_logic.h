@@ -332,6 +332,11 @@ static inline enum dalembert_status dalembert_pass_alone(dalembert_modes* m, dou
     if (count == 0) return dalembert_range_left;
     *event = DALEMBERT_NONE;
     if (dalembert_is_too_soon(m, happened, *t, x) || dalembert_is_too_low(m, happened, *t, x)) {
+        /* A friction in a loop turns round, and projection has left a rounding of its rate, on the wrong side. */
+        if (!dalembert_goes_on_after(m, happened) && dalembert_leader_of(m, happened) == DALEMBERT_NONE) {
+            m->others[0] = m->mode;
+            if (dalembert_change_ahead(m, m->others, 1, t, x, event)) return dalembert_good;
+        }
         m->times[happened].stalls = dalembert_enough_stalls; /* the interval that begins now is too short to be seen */
         return dalembert_pass_accumulation(m, happened, t, x, event);
     }

@@ -126,6 +126,9 @@ private:
         }
         const std::size_t happened = event;
         if (is_too_soon(happened) || is_too_low(happened)) {
+            // A friction in a loop turns round, and projection has left a rounding of its rate, on the wrong side.
+            if (!goes_on_after(happened) && leader_of(happened) == none && change_ahead(std::array<Mode, 1>{here_.mode}, event))
+                return Status::success;
             accumulations_[happened].stall();
             event = none;
             return pass_accumulation(happened, event);
