@@ -2,6 +2,7 @@
 // Quotients that are 0/0 at zero and yet have a value there, and their slopes.
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "graph/lower.hpp"
 #include "graph/rewrite_terms.hpp"
@@ -18,20 +19,19 @@ Forms removable(const Polynomial& p, Atoms& atoms) {
             const std::vector<Polynomial> argument = atoms[letter].arguments;
             if (!argument[0].is_monomial()) continue;
             const auto& [x, factor] = *argument[0].terms().begin();
+            const auto is_divided = [&, &x = x, n = power](const Monomial& monomial) {
+                return exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&](const LetterPower& each) {
+                           return exponent_of(monomial, each.letter) <= -n * each.exponent;
+                       });
+            };
+            if (std::none_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return is_divided(term.first); })) continue;
             Polynomial result;
-            bool changed = false;
-            for (const auto& [monomial, coefficient] : p.terms()) {
-                const bool is_divided = exponent_of(monomial, letter) == 1 &&
-                                        std::all_of(x.begin(), x.end(), [&m = monomial, n = power](const LetterPower& each) {
-                                            return exponent_of(m, each.letter) <= -n * each.exponent;
-                                        });
-                changed = changed || is_divided;
-                if (!is_divided) result.add(monomial, coefficient);
+            for (const auto& [monomial, coefficient] : p.terms())
+                if (!is_divided(monomial)) result.add(monomial, coefficient);
                 else
                     result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}},
                                coefficient * cln::expt(factor, cln::cl_I(power)));
-            }
-            if (changed) forms.push_back(std::move(result));
+            forms.push_back(std::move(result));
         }
     return forms;
 }
@@ -83,11 +83,18 @@ Forms removable_slopes(const Polynomial& p, Atoms& atoms) {
         const Forms more = slope_of(p, argument, parts, replacement);
         forms.insert(forms.end(), more.begin(), more.end());
     };
-    const auto is_single = [&](Letter letter) { return atoms[letter].arguments[0].is_monomial(); };
+    std::set<Letter> letters;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& each : monomial) letters.insert(each.letter);
+    // Parts differ in their powers of x: one of them shows its letters.
+    const auto may_be_there = [&](const Polynomial& x) {
+        return x.is_monomial() && std::all_of(x.terms().begin()->first.begin(), x.terms().begin()->first.end(),
+                                              [&](const LetterPower& each) { return letters.contains(each.letter); });
+    };
     const auto function = [&](Op op, const Polynomial& argument) { return Polynomial::letter(atoms.letter(op, {argument})); };
     const Polynomial one(1);
     for (const Letter sine : letters_of(p, atoms, Op::sin)) {
-        if (!is_single(sine)) continue;
+        if (!may_be_there(atoms[sine].arguments[0])) continue;
         const Polynomial x = atoms[sine].arguments[0], s = Polynomial::letter(sine), c = function(Op::cos, x);
         look(x, {{-s, -2}, {c, -1}}, function(Op::sinc_slope, x));
         Polynomial twice = c;
@@ -95,7 +102,7 @@ Forms removable_slopes(const Polynomial& p, Atoms& atoms) {
         look(x, {{s, -2}, {twice, -3}, {Polynomial(-2), -3}}, function(Op::cosc_slope, x));
     }
     for (const Letter exponential : letters_of(p, atoms, Op::exp)) {
-        if (!is_single(exponential)) continue;
+        if (!may_be_there(atoms[exponential].arguments[0])) continue;
         const Polynomial x = atoms[exponential].arguments[0], e = Polynomial::letter(exponential),
                          slope = -function(Op::decay_mean_slope, -x);
         look(x, {{e, -1}, {-e, -2}, {one, -2}}, slope);
@@ -104,7 +111,7 @@ Forms removable_slopes(const Polynomial& p, Atoms& atoms) {
     for (const Op op : {Op::log, Op::log1p})
         for (const Letter logarithm : letters_of(p, atoms, op)) {
             const std::optional<Polynomial> x = less_one(atoms[logarithm].arguments[0], op == Op::log, atoms);
-            if (!x || !x->is_monomial()) continue;
+            if (!x || !may_be_there(*x)) continue;
             Polynomial sum = *x;
             sum += one;
             look(*x, {{-Polynomial::letter(logarithm), -2}, {kept_whole(sum, -1, atoms), -1}}, function(Op::logc_slope, *x));
