@@ -21,8 +21,8 @@ public:
     CodeMaker(const System& system, const CodeWish& wish)
         : code_(std::make_unique<Code>(system)),
           system_(system),
-          lowered_(lower_system(system, code_->partials, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never,
-                                wish.functions)),
+          lowered_(lower_system(system, code_->partials, code_->atoms, wish.passes.rewriting,
+                                wish.passes.chain ? wish.chain : ChainUse::never, wish.functions)),
           n_(system.motion.unknowns()),
           degrees_(system.symbols.degrees()),
           multipliers_(system.motion.multipliers.size()),
