@@ -87,7 +87,7 @@ struct Code {
     Code(const Code&) = delete;
 
     const System& system;
-    mutable KnownPartials partials{system};
+    mutable KnownPartials partials{system};       ///< taken when they are asked for
     Atoms atoms;
     ParameterCache cache;
     Solve solve;                                  ///< how M*x = b is solved

@@ -16,6 +16,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
                                                                            const dalembert_plant& plant, const PlantRun& given) {
         const PlantRun run = recorded_where_steps_end(given);
         const PlantRunResult result = simulate_plant(plant, run);
+        if (prints && result.outcome.status != Status::success)
+            std::cout << fmt::format("{}: the run ends at {} s: {}\n", name, result.outcome.t, to_string(result.outcome.status));
         if (result.outcome.status != Status::success) return;
         const Outcome& outcome = result.of_sensitivities;
         if (prints && outcome.status != Status::success)

@@ -24,8 +24,8 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Equation (10.17): of the estimates of orders 5 and 3 that which shrinks like h^8, here state by state. Of norms of all states it would be
-/// no larger: where one of them has the largest estimate of order 5, none need have a larger one of order 3.
+/// Equation (10.17): of the estimates of orders 5 and 3 that which shrinks like h^8, here state by state. Of norms of all states it would
+/// be no larger: where one of them has the largest estimate of order 5, none need have a larger one of order 3.
 template <class Scalar>
 Scalar dop853_error(const Scalar& fifth, const Scalar& third) {
     using std::abs;
@@ -34,7 +34,7 @@ Scalar dop853_error(const Scalar& fifth, const Scalar& third) {
     const Scalar a = abs(fifth);
     const Scalar b = abs(third) / Scalar(10);
     const Scalar largest = max(a, b);
-    if (!(largest > Scalar(0))) return a * b;
+    if (!(largest > Scalar(0))) return a * b;  // zero, or no number
     const Scalar ratio = (a < b ? a : b) / largest;  // so that no square vanishes
     return (a < b ? a * ratio : a) / sqrt(Scalar(1) + ratio * ratio);
 }
@@ -87,7 +87,8 @@ private:
     /// Sums of a short state stay scalar: their terms have just been stored one by one, and vectors of them would wait for that.
     static constexpr bool is_short = has_fixed_size<State> && size_of<State>() <= 8;
 
-    /// The weighted sum of a row of the table, entry i. From the first stage to the last, so that nothing waits for that but the last addition.
+    /// The weighted sum of a row of the table, entry i. From the first stage to the last, so that nothing waits for that but the last
+    /// addition.
     template <std::size_t row>
     Scalar sum(std::size_t i) const {
         constexpr std::size_t first = Table::begin(row);

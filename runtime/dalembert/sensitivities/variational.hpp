@@ -149,7 +149,7 @@ private:
             return false;
     }();
 
-    /// Adds (df/dx) S to what put_own_rates has put, but for short columns, whose own rates are the begin of their sums: vectors that are
+    /// Adds (df/dx) S to what put_own_rates has put, but for short columns, whose own rates begin their sums: vectors that are
     /// loaded right after their entries were stored one by one would wait.
     void add_products(const State& all, State& derivative) const {
         const std::size_t n = size_of<Plain>(), end = (varied_.size() + 1) * n;
